@@ -16,7 +16,8 @@ namespace Signorini
 
   namespace
   {
-    /// Stress and strain at the points of a face.
+    /// Displacement, gradient, strain and stress at the quadrature points of a face, one entry for
+    /// each.
     template <int dim>
     struct AtFace
     {
@@ -24,6 +25,7 @@ namespace Signorini
       std::vector<Tensor<2, dim>>        gradients;
       std::vector<SymmetricTensor<2, 3>> strain, stress;
 
+      /// @return the traction sigma n at point q, in the plane or space of the model.
       Tensor<1, dim>
       traction(const unsigned int q, const Tensor<1, dim> &n) const
       {
@@ -35,6 +37,9 @@ namespace Signorini
       }
     };
 
+    /// Integrates (8.7) of doc/theory over the locally owned cells. Each function evaluates one
+    /// face, so that the FEFaceValues objects are reinitialised often; the cost is proportional to
+    /// the number of boundary faces.
     template <int dim>
     class Boundaries
     {
@@ -49,24 +54,34 @@ namespace Signorini
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
+      /// @return Gauss rules with degree + 1 points in each direction, one rule for each finite
+      /// element.
       hp::QCollection<dim - 1>
       rules() const;
+      /// @return the state at the points of a face for one displacement. Thermal strain is not
+      /// subtracted.
       AtFace<dim>
       values_of(const LA::Vector &ghosted, const Cell &cell, const FEFaceValues<dim> &at) const;
-      /// By which the true boundary lies outside of the cell at each point.
+      /// @return at each point the thickness of the strip between the cell and the true boundary,
+      /// along the normal of the cell; positive where the cell omits a part of the body. Values of
+      /// the size of rounding are zero.
       std::vector<double>
       thickness(const Cell &cell, const unsigned int face, const FEFaceValues<dim> &at);
-      /// By which a coarser neighbour begins beyond the face, or before its end: a hanging node
-      /// lies on the curved surface that the neighbour's straight face cuts short.
+      /// @return at each point of a face towards a coarser neighbour the distance to the face of
+      /// that neighbour, along the normal: a hanging node is on the curved surface, of which the
+      /// straight face of the neighbour cuts off a part.
       std::vector<double>
       distance_to_neighbour(const Cell &cell, const unsigned int face, const FEFaceValues<dim> &at);
+      /// Add the error of a strip of the given thickness at each point.
       void
       add_strip(const Cell                &cell,
                 const unsigned int         face,
                 const std::vector<double> &strip,
                 BoundaryErrors            &errors);
+      /// Add the errors of one boundary face: its strip, and its supports.
       void
       add_boundary(const Cell &cell, const unsigned int face, BoundaryErrors &errors);
+      /// @return values at the points of a face; valid until the next call.
       const FEFaceValues<dim> &
       reinit(const Cell &cell, const unsigned int face)
       {
@@ -74,15 +89,18 @@ namespace Signorini
         values.reinit(cell, face, i, 0, i); // one mapping for all
         return values.get_present_fe_values();
       }
-      /// u_D - u_h where that is prescribed, at each point.
+      /// @return the prescribed minus the computed displacement at each point, in the components
+      /// that supports prescribe; zero in the others.
       std::vector<Tensor<1, dim>>
       boundary_residual(const std::vector<const Support<dim> *> &supports,
                         const AtFace<dim>                       &u,
                         const FEFaceValues<dim>                 &at) const;
 
-      const Elasticity<dim>                                          &elasticity;
-      const LA::Vector                                                displacement; ///< with ghosts
-      std::vector<LA::Vector>                                         duals;        ///< likewise
+      const Elasticity<dim> &elasticity;
+      /// The displacement with ghost values.
+      const LA::Vector displacement;
+      /// The dual displacements with ghost values.
+      std::vector<LA::Vector>                                         duals;
       const hp::QCollection<dim - 1>                                  all_rules;
       hp::FEFaceValues<dim>                                           values, true_values;
       hp::FESubfaceValues<dim>                                        neighbour_values;
@@ -245,7 +263,9 @@ namespace Signorini
 
 
 
-    /// Hadamard's formula, see BoundaryErrors.
+    /// Subtract the integral of d (sigma(u):eps(z) - sigma(u) n.dz/dn - sigma(z) n.du/dn) over the
+    /// face, the second of (8.7): the change of the bilinear form by the strip (Hadamard's
+    /// formula), less what tractions and supports on its two sides contribute.
     template <int dim>
     void
     Boundaries<dim>::add_strip(const Cell                &cell,
@@ -296,6 +316,7 @@ namespace Signorini
 
 
 
+    // Only faces at the boundary and faces towards coarser neighbours contribute.
     template <int dim>
     BoundaryErrors
     Boundaries<dim>::errors()

@@ -7,7 +7,8 @@
 
 namespace Signorini
 {
-  /// Contributions of boundaries to the error of each quantity, cell by cell.
+  /// Contributions of boundaries to the error of each quantity, (8.7), cell by cell, exact minus
+  /// computed. Only entries of locally owned cells are set.
   struct BoundaryErrors
   {
     /// [quantity][cell]: supports prescribe more than the elements can follow. With z the dual
@@ -19,7 +20,9 @@ namespace Signorini
     std::vector<std::vector<double>> of_geometry;
   };
 
-  /// Estimate these errors. Collective.
+  /// @return the contributions of boundaries. Collective.
+  /// @param elasticity the model
+  /// @param displacement the solution
   /// @param duals dual displacements, one for each quantity
   template <int dim>
   BoundaryErrors

@@ -8,6 +8,9 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // The integrals of (8.6) with the stress deviations of the solution (field 0) and of each dual
+  // solution (fields 1, 2, ...). Only the solution has thermal strain, since dual solutions are
+  // changes of displacement.
   template <int dim>
   CellErrors
   cell_errors(const Elasticity<dim>         &elasticity,

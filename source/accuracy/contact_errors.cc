@@ -17,6 +17,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return whether a row of the gap operator has entries in free degrees of freedom.
     bool
     can_move(const LA::SparseMatrix &B_free, const int row)
     {
@@ -26,7 +27,8 @@ namespace Signorini
       });
     }
 
-    /// The mean pressure of each pair over its active points.
+    /// @return for each pair the mean pressure over its active points; 0 where there are none.
+    /// Collective.
     template <int dim>
     std::vector<double>
     mean_pressures(const Snapshot<dim> &s)
@@ -52,6 +54,7 @@ namespace Signorini
 
 
 
+  // The size of contact points without free degrees of freedom, doc/theory, end of 8.4.
   template <int dim>
   double
   undetermined_contact(const Snapshot<dim> &s, const Functional &functional, const LA::Vector &z)
@@ -69,7 +72,7 @@ namespace Signorini
       {
         if (s.gap(i) <= closed && !can_move(s.contact.B_free, row))
           {
-            // Where nothing is active the quantity's derivative may be zero.
+            // A reaction is written with a lift: its derivative by pressures is contained in that.
             const double direct = functional.lift.size() > 0 ? 0. : functional.of_pressure(i);
             sum += std::abs(s.contact.weight(i) * felt(i) + direct) *
                    std::max(mean[*pair], s.pressure(i));
@@ -84,7 +87,8 @@ namespace Signorini
 
   namespace
   {
-    /// dJ/dp over the area, at nodes, with ghosts; but for what the lift stands for.
+    /// @return dJ/dp per area as a nodal field of a pair, with ghost values; zero for quantities
+    /// with a lift, since their derivative by pressure belongs to the lift.
     template <int dim>
     LA::Vector
     by_pressure(const Snapshot<dim> &s, const Functional &functional, const unsigned int pair)
@@ -98,7 +102,8 @@ namespace Signorini
       return s.elasticity.with_ghosts(nodal_field(s, density, pair));
     }
 
-    /// One at nodes that are held or stand for these, with ghosts.
+    /// @return a field that is positive at nodes without pressure function and at the nodes that
+    /// take their functions over, zero elsewhere; with ghost values.
     template <int dim>
     LA::Vector
     about_dirichlet_nodes(const Snapshot<dim> &s, const unsigned int pair)
@@ -116,6 +121,8 @@ namespace Signorini
       return s.elasticity.with_ghosts(result);
     }
 
+    /// Add (8.8) of one pair: the sum of omega p* dA over the points of all faces near nodes
+    /// without multiplier.
     template <int dim>
     void
     add_dirichlet_contact(const Snapshot<dim> &s,
@@ -147,7 +154,7 @@ namespace Signorini
         }
     }
 
-    /// Nodes in contact and others.
+    /// @return whether a face has both nodes in contact and others.
     template <int dim>
     bool
     is_crossed_by_edge(const SlaveFace<dim> &face, const LA::Vector &status)
@@ -158,6 +165,7 @@ namespace Signorini
       return n > 0 && n < static_cast<int>(face.nodes.size());
     }
 
+    /// Add (8.9) of one pair for each face that the edge of the contact zone crosses.
     template <int dim>
     void
     add_unresolved_contact_error(const Snapshot<dim> &s,
@@ -166,7 +174,8 @@ namespace Signorini
                                  const unsigned int   pair,
                                  std::vector<double> &of_cells)
     {
-      // Half of the standard deviation of a place that may be anywhere on a face.
+      // Half of the standard deviation of a position that is uniformly distributed over a face of
+      // unit size.
       const double share = 0.5 / std::sqrt(12.);
 
       const ContactSurface<dim> &surface = s.surfaces[pair];
@@ -182,6 +191,8 @@ namespace Signorini
           }
       const std::vector<double> opened  = gap_increments(points, z);
       const LA::Vector          density = by_pressure(s, functional, pair);
+      // The points of one face are consecutive: accumulate the force and the range of omega on each
+      // face.
       for (unsigned int first = 0, last = 0; first < points.size(); first = last)
         {
           double force = 0, low = std::numeric_limits<double>::max(), high = -low;

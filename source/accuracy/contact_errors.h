@@ -8,29 +8,38 @@
 
 namespace Signorini
 {
-  /// Contact points that cannot move, as a corner of the slave that a support holds too: the
-  /// support takes their pressure, and nobody knows how much of its reaction that is. What the
-  /// mean pressure of the pair would be there, as the quantity feels it: the sum over these points
-  /// of area |B z + dJ/dp| times that pressure. Of methods that sample at points: zero. Collective.
+  /// @return the size of the error by contact points that cannot move, such as a corner of the
+  /// slave at a support: the support takes their pressure, and its share of the reaction is not
+  /// determined. The mean pressure of the pair is assumed there: the sum over these points of area
+  /// |B z + dJ/dp| times that pressure. Zero for methods that sample at quadrature points.
+  /// Collective.
+  /// @param snapshot the solution
+  /// @param functional the quantity
+  /// @param dual_displacement z of the quantity, without its lift
   template <int dim>
   double
   undetermined_contact(const Snapshot<dim> &snapshot,
                        const Functional    &functional,
                        const LA::Vector    &dual_displacement);
 
-  /// Where the edge of contact crosses a face, nobody knows where on it the force acts: half of the
-  /// standard deviation of (B z + dJ/dp) there times the force, of the cells of such faces. Small
-  /// of zones of many faces. Collective.
+  /// @return the size of the error by faces that the edge of contact crosses, (8.9), on each active
+  /// cell: the position of the force within such a face is not resolved. It is small for contact
+  /// zones of many faces. Collective.
+  /// @param snapshot the solution
+  /// @param functional the quantity
+  /// @param dual_displacement z of the quantity, without its lift
   template <int dim>
   std::vector<double>
   unresolved_contact(const Snapshot<dim> &snapshot,
                      const Functional    &functional,
                      const LA::Vector    &dual_displacement);
 
-  /// Exact minus computed, cell by cell, because nodes that a support holds have no pressure of
-  /// their own, and their neighbours stand for it: the sum of (B z + dJ/dp) p* dA over the faces
-  /// about such nodes, where the dual solution is not orthogonal to p*, the recovered pressure. Of
-  /// methods that sample at points: zero. Collective.
+  /// @return the error, exact minus computed, on each active cell because nodes at supports have no
+  /// multiplier, (8.8), where the dual solution is not orthogonal to the recovered pressure p*.
+  /// Zero for methods that sample at quadrature points. Collective.
+  /// @param snapshot the solution
+  /// @param functional the quantity
+  /// @param dual_displacement z of the quantity, without its lift
   template <int dim>
   std::vector<double>
   dirichlet_contact_errors(const Snapshot<dim> &snapshot,

@@ -56,6 +56,7 @@ namespace Signorini
 
 
 
+  // 2 % are reserved for the change of the bound by the last, more accurate solution.
   double
   ErrorControl::target_error(const unsigned int i) const
   {
@@ -104,6 +105,8 @@ namespace Signorini
 
 
 
+  // What the model error, which no mesh reduces, leaves of the target; a fifth of the target at
+  // least.
   double
   ErrorControl::allowed_of_mesh(const unsigned int i) const
   {
@@ -126,6 +129,8 @@ namespace Signorini
 
 
 
+  // Equation (8.16) of doc/theory. Every quantity that has not reached its target adds its cell
+  // errors in units of the target.
   std::vector<double>
   ErrorControl::indicators(const CellErrors &cells, const MPI_Comm comm) const
   {
@@ -153,7 +158,8 @@ namespace Signorini
         const double unit =
           goals.has_targets() ? std::max(allowed(i), 1e-3 * sum) : std::abs(error_bound.value);
         const double weight = unit > 0 ? 1 / unit : 1 / sum;
-        // What is regularised does not tell all.
+        // The derivative of a regularised quantity determines only a part of its error: half of the
+        // weight is given to the energy of the error.
         const double of_energy = histories[i].last().is_regularised ? 0.5 : 0.;
         add(cells.products[i], (1 - of_energy) * weight);
         if (energy > 0)
@@ -166,7 +172,8 @@ namespace Signorini
 
   namespace
   {
-    /// A cell of degree one that is halved has a quarter of its error left, others less.
+    /// The share of the error that a refined cell retains: a quarter for degree one, less for
+    /// others.
     constexpr double left = 0.25;
   } // namespace
 
@@ -195,6 +202,7 @@ namespace Signorini
 
 
 
+  // Equation (8.17) of doc/theory.
   double
   ErrorControl::share() const
   {
@@ -207,7 +215,7 @@ namespace Signorini
   double
   ErrorControl::stiffening() const
   {
-    // Of the target, once it is not within reach by the mesh alone.
+    // The tolerable share of the target, or of the mesh part while that is larger.
     constexpr double tolerable = 0.1, most = 1e3;
     double           result = 1;
     for (unsigned int i = 0; i < histories.size(); ++i)
@@ -222,6 +230,7 @@ namespace Signorini
 
 
 
+  // The algebraic error is taken to be proportional to the tolerance of Newton's method.
   double
   ErrorControl::tolerance(const double present) const
   {
@@ -231,7 +240,7 @@ namespace Signorini
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
         const QuantityEstimate &now = histories[i].last();
-        // The next mesh has half of the error or less.
+        // The next mesh is assumed to have at most half of the error.
         const double mesh =
           std::max(std::abs(now.parts.discretisation + now.parts.geometry), 0.1 * now.absolute);
         const double limit = tolerable * std::max(mesh, 0.1 * allowed(i)) / 2;

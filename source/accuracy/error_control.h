@@ -9,81 +9,104 @@
 
 namespace Signorini
 {
-  /// Sees the errors on one mesh after the other, and says what is worth doing about them: what
-  /// dominates. All that it says is the same on all ranks.
+  /// Decides, from the errors on a sequence of meshes, how the computation continues: which part of
+  /// the error dominates, which cells are refined, how penalties and tolerances change (doc/theory,
+  /// 8.6). All results are the same on all ranks.
   class ErrorControl
   {
   public:
-    /// Refers to the goals and settings.
-    /// @param least sizes of the quantities that their targets are relative to; empty: none
+    /// @param goals the quantities and their targets; the object refers to them
+    /// @param settings of the refinement; the object refers to them
+    /// @param least smallest sizes of the quantities to which their targets are relative; empty:
+    /// none
     ErrorControl(const Goals               &goals,
                  const RefinementSettings  &settings,
                  const std::vector<double> &least = {});
 
-    /// The errors on one mesh more, finer than those before.
+    /// Append the estimates on the next, finer mesh.
+    /// @param on_next_mesh one entry for each quantity
     void
     add(const std::vector<QuantityEstimate> &on_next_mesh);
 
-    /// On the last mesh, of a solution that goes farther.
+    /// Replace the estimates on the last mesh by those of a more accurate solution.
+    /// @param on_last_mesh one entry for each quantity
     void
     replace_last(const std::vector<QuantityEstimate> &on_last_mesh);
 
+    /// @return the histories of all quantities.
     const std::vector<ErrorHistory> &
     quantities() const
     {
       return histories;
     }
 
-    /// What the target of a quantity is relative to.
+    /// @return the size to which the target of a quantity is relative: its absolute value, or the
+    /// given smallest size.
+    /// @param i index of the quantity
     double
     scale(unsigned int i) const;
 
-    /// All bars are within their targets; of some, if the solver is left out: it goes on.
+    /// @return whether the error bounds of all quantities are within their targets; false if there
+    /// are no targets.
+    /// @param without_solver whether nonlinear and algebraic parts are disregarded, since the
+    /// solver will continue
     bool
     is_met(bool without_solver = false) const;
 
-    /// Why finer meshes would not help, by the quantity that cannot be had; empty: they would.
+    /// @return why finer meshes would not help, with the first quantity that cannot reach its
+    /// target; empty if they would.
     std::string
     obstacle() const;
 
-    /// By what a cell matters: the sum over the quantities that are not met yet, each in units of
-    /// what it may lack; without quantities the energy of the error. Collective.
+    /// @return the refinement indicator of each active cell, (8.16); zero in cells of other ranks.
+    /// Without quantities it is the energy of the error. Collective.
+    /// @param cells errors of the cells
+    /// @param comm the ranks of the mesh
     std::vector<double>
     indicators(const CellErrors &cells, MPI_Comm comm) const;
 
-    /// The share of the sum of all indicators that the refined cells have, so that the next mesh
-    /// meets the targets if it can be had by one (Doerfler, SIAM J. Numer. Anal. 33 (1996) 1106).
+    /// @return the share of the sum of all indicators that the refined cells contain, (8.17), so
+    /// that the next mesh meets the targets if one mesh suffices (bulk chasing; Dörfler, see
+    /// doc/theory).
     double
     share() const;
 
-    /// The largest bar of what finer meshes help, over what the target leaves for it.
+    /// @return the largest ratio of an error bound without model error to what the target leaves
+    /// for it.
     double
     excess_error() const;
 
-    /// By what the errors of the mesh should fall if it is refined by that share.
+    /// @return the factor by which the errors of the mesh should decrease if this share is refined;
+    /// 1 if the mesh need not change.
     double
     expected_reduction() const;
 
-    /// By what penalties should be multiplied, so that they do not dominate; 1: they do not.
+    /// @return the factor by which penalties are to be multiplied so that their error does not
+    /// dominate; 1 if it does not.
     double
     stiffening() const;
 
-    /// The tolerance of Newton's method with which what it leaves does not count.
-    /// @param present with which the last solution was made
+    /// @return the tolerance of Newton's method with which the algebraic error is negligible on the
+    /// next mesh.
+    /// @param present the tolerance of the last solution
     double
     tolerance(double present) const;
 
-    /// The mesh is fine enough, if the penalty becomes stiffer.
+    /// @return whether the targets need a finer mesh even if the errors of penalty and solver were
+    /// zero; true without targets.
     bool
     needs_mesh() const;
 
   private:
+    /// @return the target error of a quantity in its units; 0 without targets.
     double
     allowed(unsigned int i) const;
 
-    /// A bit less, before the last solution, which may change the bar.
+    /// @return slightly less than allowed(), for decisions before the last solution, which may
+    /// change the bound.
     double
     target_error(unsigned int i) const;
+    /// @return the part of the target error that the model error leaves.
     double
     allowed_of_mesh(unsigned int i) const;
 

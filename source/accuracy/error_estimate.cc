@@ -12,7 +12,8 @@ namespace Signorini
 
   namespace
   {
-    /// zeta.(W g): what closing the gaps that a penalty leaves would change.
+    /// @return the sum of zeta W g over active points, (8.10): the change of the quantity if the
+    /// gaps that a penalty leaves were closed. Collective.
     template <int dim>
     double
     of_open_gaps(const Snapshot<dim> &s, const LA::Vector &zeta)
@@ -24,7 +25,8 @@ namespace Signorini
       return Utilities::MPI::sum(sum, zeta.get_mpi_communicator());
     }
 
-    /// Without the forces of points that pull, though they may separate: -z.(B^T W p).
+    /// @return the first of (8.11): minus the sum of (B z) W p over points in tension that are not
+    /// bilateral, i.e. the change of the quantity without their forces. Collective.
     template <int dim>
     double
     of_tension(const Snapshot<dim> &s, const LA::Vector &z)
@@ -43,6 +45,8 @@ namespace Signorini
 
 
 
+  // First all fields of all quantities together, since the recovery of stresses is the expensive
+  // part; then the parts of each quantity.
   template <int dim>
   ErrorEstimate
   error_estimate(const Snapshot<dim>             &snapshot,
@@ -51,7 +55,8 @@ namespace Signorini
                  const bool                       is_consistent,
                  const double                     neglected)
   {
-    const MPI_Comm          comm = snapshot.elasticity.mesh().communicator();
+    const MPI_Comm comm = snapshot.elasticity.mesh().communicator();
+    // The lift of a quantity is subtracted from its dual displacement, see Functional.
     std::vector<LA::Vector> displacements;
     for (unsigned int i = 0; i < duals.size(); ++i)
       {
@@ -68,6 +73,7 @@ namespace Signorini
     result.energy = result.cells.energy_of_solution > 0 ?
                       std::sqrt(energy / result.cells.energy_of_solution) :
                       0.;
+    // Errors of the boundaries exist only for quantities.
     const BoundaryErrors boundaries =
       duals.empty() ? BoundaryErrors() :
                       boundary_errors(snapshot.elasticity, snapshot.displacement, displacements);
@@ -80,6 +86,9 @@ namespace Signorini
         const auto of_edges = unresolved_contact(snapshot, functionals[i], displacements[i]);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
+            // The sums that enter the bound (8.13) do not contain the parts of geometry and of the
+            // edge of contact; the refinement indicators do, the latter with the sign of the rest,
+            // so that they never cancel.
             of_cells[cell] += boundaries.of_supports[i][cell] + of_dirichlet[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);

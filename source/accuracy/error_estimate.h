@@ -10,19 +10,28 @@
 
 namespace Signorini
 {
-  /// The estimated errors of a solution.
+  /// The estimated errors of a solution on one mesh.
   struct ErrorEstimate
   {
-    double                        energy = 0; ///< of the error, relative to the solution: norm
+    /// Energy norm of the error, relative to that of the solution.
+    double energy = 0;
+    /// One entry for each quantity.
     std::vector<QuantityEstimate> quantities;
-    CellErrors                    cells;
-    unsigned int                  iterations = 0; ///< of the dual solutions
+    /// The contributions of all cells.
+    CellErrors cells;
+    /// Iterations of the linear solver for all dual solutions.
+    unsigned int iterations = 0;
   };
 
-  /// @param functionals and their dual solutions, one a quantity
-  /// @param is_consistent the method closes gaps as the mesh gets finer, whatever its parameter
-  /// @param neglected share of the pressure by which contact on surfaces at rest is wrong
-  /// Collective.
+  /// Estimate the errors of a solution (doc/theory, chapter 8). Collective.
+  /// @param snapshot the solution
+  /// @param functionals the quantities with their derivatives
+  /// @param duals their dual solutions
+  /// @param is_consistent whether the contact method closes gaps as the mesh is refined, whatever
+  /// its parameter; then there is no error of enforcement
+  /// @param neglected relative change of the pressure by which contact in the reference
+  /// configuration is wrong, (5.21)
+  /// @return errors of the cells and of all quantities
   template <int dim>
   ErrorEstimate
   error_estimate(const Snapshot<dim>             &snapshot,

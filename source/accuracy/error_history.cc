@@ -6,6 +6,8 @@
 
 namespace Signorini
 {
+  // The observed reduction of the absolute cell sum, rho of (8.14); the upper limit if there is no
+  // other mesh.
   double
   ErrorHistory::reduction() const
   {
@@ -18,6 +20,7 @@ namespace Signorini
 
 
 
+  // The remaining change as a geometric series, Delta of (8.14).
   double
   ErrorHistory::by_changes() const
   {
@@ -26,7 +29,7 @@ namespace Signorini
       return 0;
     const double factor = reduction();
     double       change = std::abs(meshes[n - 1].value - meshes[n - 2].value);
-    // One change may be small by chance, of a value that swings about its limit.
+    // A single change may be small by chance, if the value oscillates about its limit.
     if (n > 2)
       change = std::max(change, factor * std::abs(meshes[n - 2].value - meshes[n - 3].value));
     return change * factor / (1 - factor);
@@ -34,8 +37,8 @@ namespace Signorini
 
 
 
-  // With the factors, about 19 of 20 bars are true (scripts/accuracy, which tells how they were
-  // fitted).
+  // Equation (8.13) of doc/theory. With these factors about 19 of 20 bounds contain the exact value
+  // (scripts/accuracy, which describes how they were fitted).
   BoundedValue
   ErrorHistory::last_bounded() const
   {
@@ -45,20 +48,22 @@ namespace Signorini
     const double            rest = std::abs(now.parts.enforcement) + std::abs(now.parts.algebraic) +
                         std::abs(now.parts.nonlinear);
     const double correction = std::abs(now.parts.correction());
-    // Penalties and meshes often err in opposite directions, which is no reason to trust soft ones.
+    // Errors of penalty and mesh often have opposite signs and cancel; a soft penalty must not
+    // profit from that.
     double error_bound =
       1.3 * correction + 0.2 * now.absolute + 0.5 * std::abs(now.parts.enforcement);
     if (!now.is_regularised)
       error_bound = std::max(error_bound, 0.8 * by_changes());
     else
       {
-        // The dual solution is that of a similar quantity: what it says of one cell beside the
-        // other is worth more than their sum.
+        // The dual solution of a regularised quantity belongs to a similar one: it ranks cells
+        // well, but the sum over them is less reliable.
         const double share = size() == 1 ? 0.7 : size() == 2 ? 0.4 : 0.15;
         error_bound        = std::max(share * now.absolute + rest, 1.2 * by_changes());
       }
-    // Errors of cells may cancel in what recovery sees, and not in what it does not see, as the
-    // edge of contact within a face: until another mesh shows how the value changes.
+    // Errors of cells may cancel in the recovered stress, and not in what recovery does not
+    // contain, such as the edge of contact within a face. On the first mesh, where no change of the
+    // value is known, the Cauchy-Schwarz bound is taken into account.
     if (size() == 1)
       error_bound = std::max({error_bound,
                               now.cauchy_schwarz_bound / 3,
@@ -89,6 +94,7 @@ namespace Signorini
 
 
 
+  // Equation (8.15) of doc/theory.
   std::optional<BoundedValue>
   ErrorHistory::extrapolated() const
   {
@@ -102,7 +108,7 @@ namespace Signorini
         correction[k]               = one.parts.correction();
         corrected[k]                = one.value + correction[k];
       }
-    // Clean: of one sign, and each less than the one before.
+    // The corrections must have one sign, and each must be smaller than the one before.
     for (unsigned int k = 1; k < 3; ++k)
       if (correction[k] * correction[k - 1] <= 0 ||
           std::abs(correction[k]) > 0.85 * std::abs(correction[k - 1]))
@@ -121,8 +127,9 @@ namespace Signorini
   bool
   ErrorHistory::diverges() const
   {
-    // From the square root of a mesh size on, differences fall by 0.7 or more; singular values
-    // without a limit gain as much on each mesh, or more.
+    // Errors of the order of the square root of the mesh size, the slowest that converge in
+    // practice, let differences decrease by a factor of 0.7 with each refinement; singular values
+    // without limit change by as much on each mesh, or more.
     constexpr unsigned int enough = 4;
     constexpr double       slow   = 0.9;
     const unsigned int     n      = size();

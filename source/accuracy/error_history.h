@@ -6,18 +6,24 @@
 
 namespace Signorini
 {
-  /// What a computed quantity lacks: exact minus computed, in its units, by causes. Signs are known
-  /// to first order of the errors.
+  /// The error of a computed quantity, exact minus computed, in its units, by causes. Signs are
+  /// known to first order in the errors.
   struct ErrorParts
   {
-    double discretisation = 0; ///< the mesh and the degree of the displacement
-    double geometry       = 0; ///< curved bodies are made of cells that are not
-    double enforcement    = 0; ///< penalties and regularisations let surfaces overlap
-    double model          = 0; ///< contact on surfaces at rest; a size, the sign is not known
-    double nonlinear      = 0; ///< points that pull, where the active set was left
-    double algebraic      = 0; ///< where the linear solver stopped
+    /// Mesh size and degree of the displacement, with supports and nodes without multiplier.
+    double discretisation = 0;
+    /// Difference between the cells and the true curved bodies, (8.7).
+    double geometry = 0;
+    /// Gaps that penalties and regularisations leave, (8.10).
+    double enforcement = 0;
+    /// Contact in the reference configuration, (8.12); a size without sign.
+    double model = 0;
+    /// Points in tension on the active set with which the iteration ended, (8.11).
+    double nonlinear = 0;
+    /// Residual that the linear solver left, (8.11).
+    double algebraic = 0;
 
-    /// Without the model's, whose sign is not known.
+    /// @return the sum of all parts but the model error, whose sign is not known.
     double
     correction() const
     {
@@ -30,75 +36,92 @@ namespace Signorini
   {
     double     value = 0;
     ErrorParts parts;
-    double     absolute   = 0; ///< the discretisation's, if errors of cells never cancelled
-    double     unresolved = 0; ///< by what lies within a face, as the edge of contact does
-    double     energy     = 0; ///< norm of the whole error, relative to the solution
-    double     cauchy_schwarz_bound = 0;     ///< of the discretisation, by Cauchy and Schwarz
-    bool       is_regularised       = false; ///< see Functional
+    /// Sum of the absolute values of the cell errors of the discretisation, in units of the
+    /// quantity.
+    double absolute = 0;
+    /// Size of what is not resolved within a face, such as the edge of contact, (8.9).
+    double unresolved = 0;
+    /// Energy norm of the error, relative to that of the solution.
+    double energy = 0;
+    /// Bound of the discretisation error by the product of the energy norms of primal and dual
+    /// errors.
+    double cauchy_schwarz_bound = 0;
+    /// See Functional.
+    bool is_regularised = false;
   };
 
+  /// A value whose exact counterpart is expected within +- error_bound.
   struct BoundedValue
   {
     double value = 0, error_bound = 0;
   };
 
-  /// A quantity on one mesh after the other, each finer. Estimates alone are as good as the
-  /// recovery that they come from; how the value changes from mesh to mesh shows how good that is.
+  /// The estimates of a quantity on a sequence of finer meshes. An estimate alone is as reliable as
+  /// the stress recovery that it is based on; the changes of the value from mesh to mesh are an
+  /// independent measure of the error.
   class ErrorHistory
   {
   public:
+    /// Append the estimate on the next mesh.
+    /// @param on_next_mesh the estimate
     void
     add(const QuantityEstimate &on_next_mesh)
     {
       meshes.push_back(on_next_mesh);
     }
 
+    /// Replace the estimate on the last mesh.
+    /// @param on_last_mesh the estimate of a more accurate solution
     void
     replace_last(const QuantityEstimate &on_last_mesh)
     {
       meshes.back() = on_last_mesh;
     }
 
+    /// @return the number of meshes.
     unsigned int
     size() const
     {
       return meshes.size();
     }
 
+    /// @return the estimate on the last mesh; there must be one.
     const QuantityEstimate &
     last() const
     {
       return meshes.back();
     }
 
-    /// The last value with the size of its error: the exact one is expected between value - bar and
-    /// value + bar.
+    /// @return the last value with its error bound (8.13).
     BoundedValue
     last_bounded() const;
 
-    /// With nothing left by Newton's method and the linear solver on the last mesh.
+    /// @return the same history without nonlinear and algebraic error on the last mesh.
     ErrorHistory
     without_solver() const;
 
-    /// With gaps closed on the last mesh.
+    /// @return the same history without the error of enforcement on the last mesh.
     ErrorHistory
     without_enforcement() const;
 
-    /// The last value with its estimated error taken off, if three or more meshes agree on that.
+    /// @return the last value with its estimated error added, and the bound (8.15); none if the
+    /// corrections of the last three meshes are not consistent, or if the bound would not be
+    /// smaller by half.
     std::optional<BoundedValue>
     extrapolated() const;
 
-    /// The value moves on by as much from mesh to mesh: it has no limit, or the meshes are far from
-    /// it.
+    /// @return whether the value changes by nearly as much on each of several meshes: it has no
+    /// limit, or the meshes are far from it.
     bool
     diverges() const;
 
   private:
-    /// By how much the discretisation's error has fallen from the last mesh but one to the last: a
-    /// factor below one.
+    /// @return the factor, below one, by which the discretisation error has decreased from the last
+    /// mesh but one to the last.
     double
     reduction() const;
-    /// What is left if the value goes on as it has changed; 0 if there is no other mesh.
+    /// @return the remaining change of the value, extrapolated from its changes so far; 0 if there
+    /// is one mesh only.
     double
     by_changes() const;
 

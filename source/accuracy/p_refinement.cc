@@ -10,6 +10,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Compares the numbers of degrees of freedom that both degrees need for the target, see the
+  // header.
   template <int dim>
   std::vector<unsigned int>
   bodies_to_p_refine(const Mesh<dim>           &mesh,
@@ -50,6 +52,7 @@ namespace Signorini
 
 
 
+  // Interpolation is exact, since the spaces are nested.
   template <int dim>
   LA::Vector
   p_refined(const Elasticity<dim> &elasticity,

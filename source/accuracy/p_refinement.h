@@ -5,17 +5,18 @@
 
 namespace Signorini
 {
-  /// The bodies for which quadratic elements are worth more than smaller ones.
-  ///
-  /// On meshes for a quantity its error falls as N^(-2/dim) with degree 1, and as N^(-4/dim) with
-  /// degree 2 (doc/benchmarks/accuracy.md). To divide it by `excess_error`, degree 1 takes N
-  /// excess^(dim/2) degrees of freedom; degree 2 has 2^dim N of them on the same cells, each about
-  /// twice as expensive.
-  ///
-  /// @param indicators of the cells, in units of what their sum may be
-  /// @param is_open bodies whose degree is 1 and may be raised
-  /// @param excess_error by what the error is too large
+  /// Choose the bodies for which quadratic elements are more efficient than smaller ones.
   /// Collective.
+  ///
+  /// On meshes adapted to a quantity its error decreases as N^(-2/dim) with degree 1, and as
+  /// N^(-4/dim) with degree 2 (doc/benchmarks/accuracy.md). To divide it by `excess_error`, degree
+  /// 1 takes N excess^(dim/2) degrees of freedom; degree 2 has 2^dim N of them on the same cells,
+  /// each about twice as expensive.
+  /// @param mesh the mesh
+  /// @param indicators of the active cells, in units of what their sum may be
+  /// @param is_open for each body whether its degree is 1 and may be raised
+  /// @param excess_error factor by which the error is too large
+  /// @return indices of bodies, in ascending order
   template <int dim>
   std::vector<unsigned int>
   bodies_to_p_refine(const Mesh<dim>           &mesh,
@@ -23,12 +24,18 @@ namespace Signorini
                      const std::vector<bool>   &is_open,
                      double                     excess_error);
 
-  /// By what the number of degrees of freedom grows if these bodies become quadratic. Collective.
+  /// @return the factor by which the number of degrees of freedom grows if some bodies become
+  /// quadratic. Collective.
+  /// @param mesh the mesh
+  /// @param bodies their indices
   template <int dim>
   double
   growth_of_p_refinement(const Mesh<dim> &mesh, const std::vector<unsigned int> &bodies);
 
-  /// The same displacement in a space of higher degree on the same cells.
+  /// @return the same displacement in a space of higher degree on the same cells. Collective.
+  /// @param elasticity the present space
+  /// @param displacement in that space
+  /// @param richer the space of higher degree
   template <int dim>
   LA::Vector
   p_refined(const Elasticity<dim> &elasticity,

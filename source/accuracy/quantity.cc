@@ -10,7 +10,7 @@ namespace Signorini
 {
   namespace
   {
-    /// What a quantity may be of.
+    /// The part of the model to which a quantity belongs.
     enum class QuantityTarget
     {
       pair,
@@ -21,6 +21,7 @@ namespace Signorini
       nothing
     };
 
+    /// Whether a quantity has components.
     enum class ComponentKind
     {
       none,
@@ -28,6 +29,7 @@ namespace Signorini
       tensor  ///< one of xx, yy, zz, xy, ...
     };
 
+    /// A kind of quantity, with the functions that evaluate it.
     struct Kind
     {
       const char    *what;
@@ -37,6 +39,7 @@ namespace Signorini
       Functional (*in_3d)(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
     };
 
+    /// @return the registry: new kinds of quantities are added here.
     const std::vector<Kind> &
     kinds()
     {
@@ -90,6 +93,7 @@ namespace Signorini
       return all;
     }
 
+    /// @return the kind with a name; null if there is none.
     const Kind *
     find_kind(const std::string &what)
     {
@@ -99,6 +103,7 @@ namespace Signorini
       return found == kinds().end() ? nullptr : &*found;
     }
 
+    /// @return the names of the components that a kind has.
     std::vector<std::string>
     possible_components(const Kind &kind, const int dim)
     {
@@ -110,6 +115,7 @@ namespace Signorini
                         std::vector<std::string>{"x", "y", "z"};
     }
 
+    /// @return all kinds as a text for messages.
     std::string
     examples()
     {
@@ -128,6 +134,8 @@ namespace Signorini
 
 
 
+  // "WHAT [COMPONENT] of NAME": names of kinds may contain blanks, so that the last word is a
+  // component only if the rest is a kind.
   QuantityName
   read_quantity(const std::string   &text,
                 const std::string   &place,
@@ -235,7 +243,8 @@ namespace Signorini
     result.of_pressure     = 0;
     if (result.lift.size() > 0)
       result.lift = 0;
-    // Without a direction there is no derivative: let it be that of the sum.
+    // The norm of a vector that is zero has no derivative: that of the sum of the components is
+    // taken.
     for (const Functional &one : components)
       {
         const double share = result.value > 0 ? one.value / result.value : 1;

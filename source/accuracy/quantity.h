@@ -9,50 +9,66 @@
 
 namespace Signorini
 {
-  /// What a user wants to know, in words: "WHAT [COMPONENT] of NAME", as "force of interface",
+  /// The name of a quantity of interest: "WHAT [COMPONENT] of NAME", as "force of interface",
   /// "force y of interface", "reaction of base", "stress xx of tip"; or "energy".
   struct QuantityName
   {
     std::string text;
-    std::string what;      ///< "force"
-    std::string component; ///< "y", or empty
-    std::string of;        ///< a pair, support, obstacle or probe; or empty
+    /// The kind, such as "force".
+    std::string what;
+    /// The component, such as "y"; may be empty.
+    std::string component;
+    /// The name of a pair, support, obstacle or probe; may be empty.
+    std::string of;
   };
 
-  /// The names of what quantities can be of.
+  /// The names to which quantities of a scene may belong.
   struct QuantityNames
   {
     std::vector<std::string> pairs, supports, obstacles;
-    std::vector<std::string> probes;         ///< points in bodies
-    std::vector<std::string> surface_probes; ///< points on pairs
+    /// Points in bodies.
+    std::vector<std::string> probes;
+    /// Points on contact pairs.
+    std::vector<std::string> surface_probes;
   };
 
-  /// Throws SceneError, with `place` before the message, if there is no such quantity, or if the
-  /// names have not what it is of.
-  /// @param dim components
+  /// Interpret the name of a quantity. Throws SceneError if there is no such quantity, or no pair,
+  /// support, obstacle or probe of that name.
+  /// @param text the name
+  /// @param place position in the scene, which precedes the message
+  /// @param names that exist in the scene
+  /// @param dim number of components of vectors
+  /// @return its parts
   QuantityName
   read_quantity(const std::string   &text,
                 const std::string   &place,
                 const QuantityNames &names,
                 int                  dim);
 
-  /// Value and derivative of a quantity at a solution.
+  /// Value and derivative of a quantity at a solution, (8.1).
   struct Functional
   {
-    double     value = 0;
-    LA::Vector of_displacement; ///< derivative by the free degrees of freedom
-    LA::Vector of_pressure;     ///< by the pressures at the contact points
-    /// A displacement that the dual one shall be without, since the functional is written with it:
-    /// that of a reaction is one on its support and zero elsewhere. Empty: none.
+    double value = 0;
+    /// Derivative with respect to the free degrees of freedom.
+    LA::Vector of_displacement;
+    /// Derivative with respect to the pressures at the contact points.
+    LA::Vector of_pressure;
+    /// A displacement that is subtracted from the dual one, since the functional is written with
+    /// it: that of a reaction is one on its support and zero elsewhere. Empty: none.
     LA::Vector lift;
-    /// The derivative is that of a smooth quantity close to this one, so that it tells the error
-    /// about only.
-    bool   is_regularised = false;
-    double unresolved     = 0;     ///< by what the value may be wrong within a face
-    bool   is_quadratic   = false; ///< the energy, see error_estimate()
+    /// Whether the derivative is that of a smooth quantity close to this one, so that it describes
+    /// the error approximately only.
+    bool is_regularised = false;
+    /// Size of the error of the value by what is not resolved within a face, in its units.
+    double unresolved = 0;
+    /// Whether the quantity is the energy, see error_estimate().
+    bool is_quadratic = false;
   };
 
-  /// Collective.
+  /// @return value and derivative of a quantity. Collective.
+  /// @param name as read_quantity() has interpreted it
+  /// @param snapshot the solution
+  /// @param probes of the scene
   template <int dim>
   Functional
   functional(const QuantityName &name, const Snapshot<dim> &snapshot, const Probes<dim> &probes);

@@ -16,7 +16,7 @@ namespace Signorini
 
   namespace
   {
-    /// Products of powers of the coordinates up to a degree, in all 1 + dim or more.
+    /// The monomials of total degree up to 1 or 2 in dim coordinates.
     template <int dim>
     class Monomials
     {
@@ -28,6 +28,7 @@ namespace Signorini
         : n(degree == 1 ? dim + 1 : most)
       {}
 
+      /// @return the n monomials at a point; the remaining entries are undefined.
       Values
       operator()(const Tensor<1, dim> &x) const
       {
@@ -46,7 +47,7 @@ namespace Signorini
       const unsigned int n;
     };
 
-    /// Gauss rules with 1 to `most` points a direction, rule after rule.
+    /// @return Gauss rules with 1 to `most` points in each direction, so that rule i has i + 1.
     template <int dim>
     hp::QCollection<dim>
     gauss_rules(const unsigned int most)
@@ -60,6 +61,8 @@ namespace Signorini
 
 
 
+  // Stresses are sampled once in all locally owned and ghost cells; each call of operator() then
+  // fits the samples of one patch.
   template <int dim>
   RecoveredStress<dim>::RecoveredStress(const Elasticity<dim>    &elasticity,
                                         const std::vector<Field> &fields)
@@ -83,6 +86,7 @@ namespace Signorini
 
 
 
+  // The superconvergent points are those of the Gauss rule with `degree` points.
   template <int dim>
   unsigned int
   RecoveredStress<dim>::points_per_direction(const Cell &cell) const
@@ -123,6 +127,8 @@ namespace Signorini
 
 
 
+  // All samples are in one array, cell by cell, point by point, with all components of all fields
+  // together: one patch then reads contiguous pieces of memory.
   template <int dim>
   void
   RecoveredStress<dim>::sample()
@@ -152,6 +158,7 @@ namespace Signorini
 
 
 
+  // The cells at each vertex in compressed row storage, by a counting sort.
   template <int dim>
   void
   RecoveredStress<dim>::find_neighbours()
@@ -178,6 +185,7 @@ namespace Signorini
 
 
 
+  // The cell and all cells that share a vertex with it, without those of other materials.
   template <int dim>
   void
   RecoveredStress<dim>::collect_patch(const Cell &cell)
@@ -187,7 +195,7 @@ namespace Signorini
       patch.insert(patch.end(),
                    cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v)],
                    cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v) + 1]);
-    // Stresses jump from one material to the other.
+    // Stresses are discontinuous between materials.
     patch.erase(std::remove_if(patch.begin(),
                                patch.end(),
                                [&](const unsigned int c) {
@@ -200,6 +208,8 @@ namespace Signorini
 
 
 
+  // Equation (8.5) of doc/theory: coordinates are relative to the centre of the cell and scaled by
+  // its diameter, all components of all fields are right-hand sides of one normal matrix.
   template <int dim>
   const typename RecoveredStress<dim>::Deviations &
   RecoveredStress<dim>::operator()(const Cell &cell)
@@ -210,7 +220,7 @@ namespace Signorini
     const Point<dim>     center = cell->center();
     const double         scale  = 1 / cell->diameter();
 
-    // The normal equations.
+    // The lower triangle of the normal matrix and the right-hand sides.
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Matrix N = Matrix::Zero(n, n), right = Matrix::Zero(n, n_values);
     collect_patch(cell);
@@ -227,12 +237,14 @@ namespace Signorini
                 right(i, k) += phi[i] * value[k];
             }
         }
-    // What the patch cannot tell, as the slope across a body that is one cell thick, is zero.
+    // Coefficients that the patch does not determine, such as the slope across a body that is one
+    // cell thick, become zero by this small regularisation.
     constexpr double rounding = 1e-9;
     for (unsigned int i = 0; i < n; ++i)
       N(i, i) += rounding * N(0, 0);
     const Matrix coefficients = solve_symmetric(N, right);
 
+    // Deviations at the points of the rule that integrates the energy.
     values.reinit(cell, degree); // degree + 1 points a direction
     const FEValues<dim> &at     = values.get_present_fe_values();
     const auto          &points = at.get_quadrature_points();

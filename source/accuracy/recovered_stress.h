@@ -10,12 +10,13 @@
 
 namespace Signorini
 {
-  /// Stresses of finite element solutions, and better ones: in each cell the polynomial of the
-  /// displacement's degree that fits the stress best at the superconvergent points of the cell and
-  /// of all that share a vertex with it (Zienkiewicz, Zhu, Int. J. Numer. Meth. Engng. 33 (1992)
-  /// 1331, cell by cell instead of vertex by vertex). At boundaries patches are one-sided, and the
-  /// fit is of the same order there. Patches end with their body. No cell asks for more than its
-  /// ghosts, so that nothing is sent.
+  /// Recovers stresses of higher order from finite element solutions, (8.5): in each cell the
+  /// polynomial of the degree of the displacement that fits the stress best at the superconvergent
+  /// points of the cell and of all cells that share a vertex with it (Zienkiewicz, Zhu 1992, see
+  /// doc/theory; cell by cell instead of vertex by vertex). At boundaries patches are one-sided,
+  /// and the fit has the same order there. Patches do not extend to other bodies or materials. Only
+  /// locally owned and ghost cells are needed, so that nothing is communicated after the
+  /// construction.
   template <int dim>
   class RecoveredStress
   {
@@ -23,35 +24,41 @@ namespace Signorini
     using Cell   = typename dealii::DoFHandler<dim>::active_cell_iterator;
     using Stress = dealii::SymmetricTensor<2, 3>;
 
-    /// A displacement, and whether thermal strain is part of its strain: it is of solutions, not of
-    /// their changes.
+    /// A displacement, and whether thermal strain is part of its strain: it is for solutions, and
+    /// not for their changes.
     struct Field
     {
       const LA::Vector *displacement;
       bool              has_thermal_strain;
     };
 
-    /// Refers to the elasticity. Collective.
+    /// Sample the stresses. Collective.
+    /// @param elasticity to which the object refers
+    /// @param fields whose displacements have no ghost values
     RecoveredStress(const Elasticity<dim> &elasticity, const std::vector<Field> &fields);
 
-    /// The recovered stress minus that of the finite elements.
+    /// The recovered stress minus that of the finite elements in one cell.
     struct Deviations
     {
-      std::vector<double>              weights;   ///< of the points, areas of rings included
-      std::vector<std::vector<Stress>> deviation; ///< [field][point]
-      std::vector<std::vector<Stress>> stress;    ///< [field][point], of the finite elements
+      /// Quadrature weights of the points; in axisymmetric models including 2 pi r.
+      std::vector<double> weights;
+      /// Recovered minus computed stress, [field][point].
+      std::vector<std::vector<Stress>> deviation;
+      /// Computed stress, [field][point].
+      std::vector<std::vector<Stress>> stress;
     };
 
-    /// In a locally owned cell; valid until the next call.
+    /// @return the deviations in a locally owned cell; valid until the next call.
+    /// @param cell the cell
     const Deviations &
     operator()(const Cell &cell);
 
   private:
-    /// Stresses in a plane have four components.
+    /// Number of stress components: plane stresses have four.
     static constexpr unsigned int n_components = dim == 2 ? 4 : 6;
 
-    /// At how many points a direction: one would not see the bending of a body that is one cell
-    /// thick.
+    /// @return the number of sample points in each direction; at least two across a body that is
+    /// one cell thick, since one point would miss bending.
     unsigned int
     points_per_direction(const Cell &cell) const;
     void
@@ -60,7 +67,7 @@ namespace Signorini
     find_neighbours();
     void
     collect_patch(const Cell &cell);
-    /// The stresses of the fields at the points where the values are.
+    /// Compute the stresses of all fields at the points of `values`.
     void
     stresses_at(const Cell                            &cell,
                 const dealii::FEValues<dim>           &values,
@@ -71,13 +78,16 @@ namespace Signorini
     std::vector<LA::Vector> ghosted;
     std::vector<bool>       has_thermal_strain;
 
-    // Of all cells that this rank knows, by their number:
-    std::vector<unsigned int>       first_sample; ///< one more than there are cells
+    // By the index of locally owned and ghost cells:
+    /// Index of the first sample of each cell, and the end.
+    std::vector<unsigned int>       first_sample;
     std::vector<dealii::Point<dim>> places;
-    std::vector<double>             samples; ///< field by field, component by component
+    /// Stress components of all points, see sample().
+    std::vector<double> samples;
 
     std::vector<unsigned int> first_at_vertex, cells_at_vertex, material_of_cell;
-    std::vector<unsigned int> patch; ///< numbers of cells
+    /// Indices of the cells of the present patch.
+    std::vector<unsigned int> patch;
 
     dealii::hp::QCollection<dim> rules;
     dealii::hp::FEValues<dim>    values;

@@ -61,6 +61,7 @@ namespace Signorini
 
 
 
+  // Dörfler marking: the smallest set of cells that has the share.
   template <int dim>
   void
   mark_share(const RefinementSettings  &settings,
@@ -68,7 +69,8 @@ namespace Signorini
              const std::vector<double> &indicators,
              const double               share)
   {
-    // A cell that is made twice as large has up to 2^(2 degree + dim) times its error.
+    // The share of the sum that coarsened cells may have together. It is small since a cell of
+    // twice the size has up to 2^(2 degree + dim) times its error.
     constexpr double negligible = 2e-4;
     if (settings.strategy == RefinementSettings::Strategy::global)
       return mark_cells(settings, mesh, indicators);
@@ -114,6 +116,8 @@ namespace Signorini
 
 
 
+  // The parts of vectors that belong to the mesh are interpolated by deal.II; those of rigid bodies
+  // are carried over unchanged.
   template <int dim>
   void
   refine(Mesh<dim> &mesh, Elasticity<dim> &elasticity, const std::vector<LA::Vector *> &vectors)

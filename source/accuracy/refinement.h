@@ -8,16 +8,23 @@
 
 namespace Signorini
 {
-  /// Mark the shares of the cells with the largest and least errors, or all. Collective.
-  /// @param errors of each active cell, of this rank's own
+  /// Mark fixed fractions of the cells with the largest and smallest errors for refinement and
+  /// coarsening, or all cells. Collective.
+  /// @param settings with the fractions
+  /// @param mesh whose cells are marked
+  /// @param errors one for each active cell; those of locally owned cells are used
   template <int dim>
   void
   mark_cells(const RefinementSettings  &settings,
              Mesh<dim>                 &mesh,
              const std::vector<double> &errors);
 
-  /// Mark the least cells that have this share of the sum of all indicators, and those for
-  /// coarsening that have next to nothing of it. Collective.
+  /// Mark the smallest set of cells that has a share of the sum of all indicators for refinement,
+  /// and cells with a negligible share for coarsening. Collective.
+  /// @param settings with the strategy
+  /// @param mesh whose cells are marked
+  /// @param indicators one for each active cell; those of locally owned cells are used
+  /// @param share between 0 and 1
   template <int dim>
   void
   mark_share(const RefinementSettings  &settings,
@@ -25,18 +32,24 @@ namespace Signorini
              const std::vector<double> &indicators,
              double                     share);
 
-  /// The number of cells that the marked mesh will have, about, over that which it has. Collective.
+  /// @return the approximate ratio of the number of cells after refinement, as marked, to the
+  /// present number. Collective.
+  /// @param mesh with marked cells
   template <int dim>
   double
   growth(const Mesh<dim> &mesh);
 
-  /// Take all marks off.
+  /// Remove all marks of cells.
+  /// @param mesh whose cells are marked
   template <int dim>
   void
   clear_marks(Mesh<dim> &mesh);
 
-  /// Refine the mesh as it is marked, set the degrees of freedom up again, and carry vectors over:
-  /// each goes in as it was and comes out interpolated. Collective.
+  /// Refine the mesh as it is marked, distribute the degrees of freedom anew, and interpolate
+  /// vectors. Collective.
+  /// @param mesh with marked cells; cells are not coarsened below the least level of their body
+  /// @param elasticity of the mesh
+  /// @param vectors which are replaced by their interpolants
   template <int dim>
   void
   refine(Mesh<dim> &mesh, Elasticity<dim> &elasticity, const std::vector<LA::Vector *> &vectors);

@@ -18,11 +18,13 @@ namespace Signorini
 
   namespace
   {
-    /// The integral of the square of a deviation, and of what it deviates from.
+    /// Integrals, over this rank's part, of the square of a deviation and of the square of the
+    /// exact field.
     struct Squares
     {
       double error = 0, exact = 0;
 
+      /// Add one quadrature point.
       void
       add(const double weight, const double error2, const double exact2)
       {
@@ -30,7 +32,8 @@ namespace Signorini
         exact += weight * exact2;
       }
 
-      /// Collective.
+      /// @return the L2 norm of the deviation, relative to that of the exact field unless that is
+      /// zero. Collective.
       double
       relative(const MPI_Comm comm) const
       {
@@ -39,8 +42,9 @@ namespace Signorini
       }
     };
 
-    /// By central differences of fourth order, whose rounding and truncation are both far below
-    /// what a mesh resolves.
+    /// @return the gradient [component][direction] of a formula by central differences of fourth
+    /// order with a step of 1e-4 of the cell, where rounding and truncation are both far below what
+    /// a mesh resolves.
     template <int dim>
     Tensor<2, dim>
     gradient(const VectorExpression<dim> &u, const Point<dim> &x, const double t, const double size)
@@ -59,6 +63,7 @@ namespace Signorini
       return result;
     }
 
+    /// Add the errors of the displacement in L2 and in the energy norm. Collective.
     template <int dim>
     void
     add_displacement_errors(const Snapshot<dim>         &s,
@@ -104,6 +109,8 @@ namespace Signorini
       errors.energy       = energy.relative(elasticity.mesh().communicator());
     }
 
+    /// Add the L2 error of the volumetric stress over the bodies in displacement-pressure form.
+    /// Collective.
     template <int dim>
     void
     add_volumetric_errors(const Snapshot<dim>   &s,
@@ -133,6 +140,8 @@ namespace Signorini
       errors.volumetric_stress = l2.relative(mesh.communicator());
     }
 
+    /// Add the L2 errors of the pressure at contact points and of the recovered nodal pressure,
+    /// over all contact points. Collective.
     template <int dim>
     void
     add_pressure_errors(const Snapshot<dim>   &s,

@@ -6,18 +6,26 @@
 
 namespace Signorini
 {
-  /// Deviations from the known solution, each relative to the norm of the solution itself; zero
-  /// where it is not known.
+  /// Deviations from a known solution, each relative to the norm of the exact field; zero where
+  /// that is not known.
   struct SolutionErrors
   {
-    double displacement = 0; ///< in L2
-    double energy       = 0; ///< (int sigma(e):eps(e) dV)^1/2; mixed: without volumetric stress
-    double volumetric_stress  = 0; ///< in L2, on mixed bodies
-    double pressure           = 0; ///< in L2 on the slave surfaces where they have a projection
-    double recovered_pressure = 0; ///< of what is reported, see recovered_pressure()
+    /// In L2.
+    double displacement = 0;
+    /// In the energy norm (int sigma(e):eps(e) dV)^1/2; in displacement-pressure form without the
+    /// volumetric stress.
+    double energy = 0;
+    /// In L2, over bodies in displacement-pressure form.
+    double volumetric_stress = 0;
+    /// In L2, over the contact points of the slave surfaces.
+    double pressure = 0;
+    /// The same norm for the reported pressure, see recovered_pressure().
+    double recovered_pressure = 0;
   };
 
-  /// Collective.
+  /// @return the errors of a solution. Collective.
+  /// @param snapshot the solution
+  /// @param exact the known solution
   template <int dim>
   SolutionErrors
   errors(const Snapshot<dim> &snapshot, const KnownSolution<dim> &exact);

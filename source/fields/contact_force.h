@@ -5,8 +5,9 @@
 
 namespace Signorini
 {
-  /// The forces of contact on all degrees of freedom, prescribed ones too, hanging nodes condensed.
-  /// Collective.
+  /// @return the contact forces on all degrees of freedom, (3.5) of doc/theory, also on prescribed
+  /// ones, with hanging nodes condensed. Collective.
+  /// @param s the solution
   template <int dim>
   LA::Vector
   contact_force(const Snapshot<dim> &s)

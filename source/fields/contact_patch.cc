@@ -18,20 +18,25 @@ namespace Signorini
 
   namespace
   {
-    /// Area, first and second moments of a part of a surface.
+    /// Area, first and second moments of a part of a surface, and its extent along some directions.
+    /// Sums are those of this rank until sum_up().
     template <int dim>
     struct Moments
     {
-      std::vector<double>         sums = std::vector<double>(1 + dim + dim * dim, 0.);
-      double                      edge = 0;   ///< area of parts that the edge crosses
-      std::vector<Tensor<1, dim>> directions; ///< the axes, then those of the pair
-      /// Along each, the negative lowest and the highest coordinate.
+      /// The area, dim first moments and dim x dim second moments.
+      std::vector<double> sums = std::vector<double>(1 + dim + dim * dim, 0.);
+      /// Area of the parts that the edge of contact crosses.
+      double edge = 0;
+      /// Unit vectors: the coordinate axes, then the directions of the pair.
+      std::vector<Tensor<1, dim>> directions;
+      /// For each direction minus the lowest and the highest coordinate, so that both are maxima.
       std::vector<double> box;
 
-      /// Of the area alone.
+      /// Moments of the area without an extent.
       Moments() = default;
 
-      /// @param more directions
+      /// Moments with an extent along the axes.
+      /// @param more directions of any length
       explicit Moments(const std::vector<Point<dim>> &more)
       {
         for (unsigned int d = 0; d < dim; ++d)
@@ -41,6 +46,7 @@ namespace Signorini
         box.assign(2 * directions.size(), -std::numeric_limits<double>::max());
       }
 
+      /// Add an area that is concentrated at a point.
       void
       add(const double area, const Point<dim> &x)
       {
@@ -53,6 +59,7 @@ namespace Signorini
           }
       }
 
+      /// Let the extent contain a point.
       void
       extend(const Point<dim> &x)
       {
@@ -64,11 +71,12 @@ namespace Signorini
           }
       }
 
+      /// @return area, extent and semi-axes of the part.
       ContactPatch
       patch(const Model model)
       {
         ContactPatch result;
-        // Where neither nodes nor points tell how far it goes, its center.
+        // A zone that contains neither nodes nor points has its centre as extent.
         if (sums[0] > 0 && box[0] == -std::numeric_limits<double>::max())
           {
             Point<dim> center;
@@ -85,7 +93,7 @@ namespace Signorini
           }
         for (unsigned int i = dim; i < directions.size() && result.area > 0; ++i)
           result.along.emplace_back(0. - box[2 * i], box[2 * i + 1]);
-        // Rings around the axis have no axes of their own.
+        // Contact zones of axisymmetric models are rings without principal axes.
         if (result.area <= 0 || model == Model::axisymmetric)
           return result;
         Eigen::Matrix<double, dim, dim> spread;
@@ -94,7 +102,8 @@ namespace Signorini
             spread(d, e) =
               sums[1 + dim + dim * d + e] / sums[0] - sums[1 + d] / sums[0] * sums[1 + e] / sums[0];
         const Eigen::VectorXd values = eigenvalues_of_symmetric(spread);
-        // An interval of half-width a: a^2/3; an ellipse: a^2/4.
+        // The second moment of an interval of half-width a is a^2/3 per length, that of an ellipse
+        // a^2/4 per area.
         for (unsigned int d = 0; d < dim - 1; ++d)
           result.semi_axes.push_back(
             std::sqrt((dim == 2 ? 3 : 4) * std::max(0., values[dim - 1 - d])));
@@ -102,7 +111,11 @@ namespace Signorini
       }
     };
 
-    /// The parts of slave faces between neighbouring nodes.
+    /// Determines the contact zone of a pair from nodal pressures, on the parts of slave faces
+    /// between neighbouring nodes (2nd degree: halves or quarters of the face). The square of the
+    /// pressure is interpolated multilinearly on each part, with negative values at open nodes that
+    /// continue the slope of the active side; the zone is where it is positive. See
+    /// contact_patch().
     template <int dim>
     class Lattice
     {
@@ -117,6 +130,7 @@ namespace Signorini
         , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
       {}
 
+      /// @return the moments of the contact zone on this rank. Collective.
       Moments<dim>
       moments() const
       {
@@ -154,6 +168,7 @@ namespace Signorini
     private:
       static constexpr double tiny = std::numeric_limits<double>::min();
 
+      /// @return the squares of the entries.
       LA::Vector
       squares_of(const LA::Vector &pressure) const
       {
@@ -164,13 +179,15 @@ namespace Signorini
         return result;
       }
 
+      /// @return whether a node is in contact.
       bool
       is_active(const types::global_dof_index node) const
       {
         return status(node) > 0.5;
       }
 
-      /// The master covers it in part: where on it is known by the points alone.
+      /// @return whether the master covers a face only partly. Then the points alone tell where on
+      /// the face contact is.
       static bool
       is_part(const SlaveFace<dim> &face)
       {
@@ -178,6 +195,7 @@ namespace Signorini
         return face.covered < whole;
       }
 
+      /// Let the extent contain the active points of faces that are covered partly.
       void
       extend_by_points(Moments<dim> &moments) const
       {
@@ -186,8 +204,9 @@ namespace Signorini
             moments.extend(point.slave_force_point);
       }
 
-      /// Of the squares, at nodes of parts that are in contact as a whole: the mean over these, and
-      /// last their number.
+      /// @return the sums, at each node, of the gradients of the squared pressure over adjacent
+      /// parts whose nodes are all in contact, component by component, and as last vector the
+      /// number of these parts; with ghost values. Collective.
       std::vector<LA::Vector>
       slopes() const
       {
@@ -219,7 +238,8 @@ namespace Signorini
         return with_ghosts;
       }
 
-      /// At open nodes beside nodes in contact; not above zero.
+      /// @return the squared pressure at open nodes beside nodes in contact, continued linearly
+      /// from these, and never positive. Collective.
       LA::Vector
       continued(const std::vector<LA::Vector> &slopes) const
       {
@@ -230,8 +250,8 @@ namespace Signorini
               for (const unsigned int i : nodes)
                 if (const auto node = face.nodes[i]; is_active(node))
                   {
-                    // Of zones of one node nothing is known, nor where pressures grow towards the
-                    // edge, as at corners: half of the way.
+                    // Without a gradient (a zone of one node), or where the pressure grows towards
+                    // the edge, as at corners, the edge is assumed half-way to the open node.
                     double change = 0;
                     for (unsigned int d = 0; d < dim; ++d)
                       if (slopes[dim](node) > 0)
@@ -250,8 +270,8 @@ namespace Signorini
         return sum;
       }
 
-      /// The share of each face that has a projection, by the area of its parts: above one where
-      /// these are chords.
+      /// @return the share of each face that has a projection on the master, relative to the area
+      /// of its parts: above one where these are chords of a curved face.
       std::vector<double>
       covered_shares() const
       {
@@ -267,7 +287,7 @@ namespace Signorini
         return shares;
       }
 
-      /// What of a part has positive values, by samples.
+      /// Add the area of a part where the interpolated values are positive, by sampling.
       void
       add_part(const Part<dim>             &nodes,
                const SlaveFace<dim>        &face,
@@ -276,7 +296,8 @@ namespace Signorini
                const double                 covered,
                Moments<dim>                &moments) const
       {
-        // By Gauss points, or as many as the edge needs.
+        // Whole parts have 2 Gauss points in each direction; parts at the edge are sampled at as
+        // many midpoints as the resolution of the edge needs.
         const unsigned int m     = is_whole ? 2 : dim == 2 ? 200 : 16;
         const auto         place = [&](const unsigned int a) {
           return is_whole ? 0.5 + (a == 0 ? -1 : 1) * std::sqrt(1. / 12) : (a + 0.5) / m;
@@ -325,6 +346,7 @@ namespace Signorini
 
   namespace
   {
+    /// Sum the moments over all ranks. Collective.
     template <int dim>
     void
     sum_up(Moments<dim> &moments, const MPI_Comm comm)
@@ -334,7 +356,7 @@ namespace Signorini
       Utilities::MPI::max(moments.box, comm, moments.box);
     }
 
-    /// The points in contact, of methods that sample at points.
+    /// @return the moments of the active points, for methods that sample at points. Collective.
     template <int dim>
     Moments<dim>
     moments_of_points(const Snapshot<dim> &s, const unsigned int pair)
@@ -356,6 +378,7 @@ namespace Signorini
 
 
 
+  // If no node is in contact, the active points are the zone.
   template <int dim>
   ContactPatch
   contact_patch(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)

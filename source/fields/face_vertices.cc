@@ -22,7 +22,9 @@ namespace Signorini
 
 
 
-  // Among those of the surface, rank by rank.
+  // The vertices of all faces with points are numbered consecutively, first those of rank 0, then
+  // those of rank 1 and so on; a temporary vector of the displacement layout transports the numbers
+  // to ranks that do not own a vertex.
   template <int dim>
   FaceVertices<dim>::FaceVertices(const Elasticity<dim>             &elasticity,
                                   const std::vector<SlaveFace<dim>> &faces)

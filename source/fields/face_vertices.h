@@ -11,33 +11,41 @@
 
 namespace Signorini
 {
-  /// The vertices of the slave faces that have contact points, numbered over all ranks, and the
-  /// linear functions of the faces. Fields have entries for the vertices alone: what is iterated
-  /// costs vectors of the surface.
+  /// The vertices of the slave faces that have contact points, numbered consecutively over all
+  /// ranks, with the linear shape functions of the faces. Fields have entries for these vertices
+  /// only, so that iterations on them cost vectors of the size of the surface.
   template <int dim>
   class FaceVertices
   {
   public:
-    static constexpr unsigned int n = dim == 2 ? 2 : 4; ///< of a face
+    /// Number of vertices of a face.
+    static constexpr unsigned int n = dim == 2 ? 2 : 4;
 
     using Field = dealii::LinearAlgebra::distributed::Vector<double>;
 
     /// Number the vertices. Collective.
+    /// @param elasticity the model
+    /// @param faces the slave faces of this rank
     FaceVertices(const Elasticity<dim> &elasticity, const std::vector<SlaveFace<dim>> &faces);
 
-    /// The entries of the vertices of face f in a field; without meaning if it has no points.
+    /// @return the indices of the vertices of a face in a field; undefined if the face has no
+    /// points.
+    /// @param f index of the face
     const std::array<dealii::types::global_dof_index, n> &
     operator[](const unsigned int f) const
     {
       return my_vertices[f];
     }
 
+    /// @return a zero field without ghost values.
     Field
     zero() const
     {
       return Field(layout);
     }
 
+    /// @return a copy of a field with readable ghost values.
+    /// @param field without ghost values
     static Field
     with_ghosts(const Field &field)
     {
@@ -46,26 +54,32 @@ namespace Signorini
       return result;
     }
 
-    /// The number of a vertex among the nodes of a face.
+    /// @return the number of a vertex among the nodes of a face.
+    /// @param vertex its number among the vertices
+    /// @param degree of the face
     static unsigned int
     node(const unsigned int vertex, const unsigned int degree)
     {
       return degree * (vertex % 2) + (vertex / 2) * degree * (degree + 1);
     }
 
-    /// The reference position of a vertex of a slave face.
+    /// @return the reference position of a vertex.
+    /// @param face the slave face
+    /// @param vertex its number among the vertices
     static const dealii::Point<dim> &
     position(const SlaveFace<dim> &face, const unsigned int vertex)
     {
       return face.positions[node(vertex, face.degree)];
     }
 
-    /// The linear functions of the vertices of a face and their derivatives, at a parameter.
+    /// Values and derivatives by the parameters of the linear functions of all vertices of a face,
+    /// at one parameter.
     struct Functions
     {
       std::array<double, n>                     value;
       std::array<dealii::Tensor<1, dim - 1>, n> slope;
 
+      /// @param xi parameter on the face
       explicit Functions(const dealii::Point<dim - 1> &xi);
     };
 

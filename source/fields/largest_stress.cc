@@ -14,6 +14,7 @@ namespace Signorini
 
   namespace
   {
+    /// Replace the value if another one is larger.
     template <int dim>
     void
     update_largest(ValueAtPosition<dim> &largest, const double value, const Point<dim> &x)
@@ -22,7 +23,8 @@ namespace Signorini
         largest = {value, x};
     }
 
-    /// Replace the value by that of the rank with the largest one; of several the lowest rank.
+    /// Replace the value by the largest one of all ranks, with its position; of equal ones that of
+    /// the lowest rank. Collective.
     template <int dim>
     void
     reduce_over_ranks(ValueAtPosition<dim> &one, const MPI_Comm comm)
@@ -38,6 +40,7 @@ namespace Signorini
 
 
 
+  // The rule with `degree` Gauss points in each direction has the superconvergent points.
   template <int dim>
   std::vector<LargestStresses<dim>>
   largest_stresses(const Elasticity<dim> &elasticity, const LA::Vector &displacement)

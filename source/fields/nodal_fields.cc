@@ -14,6 +14,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return values of rows that are nodes, at the nodes of one pair; zero elsewhere. Collective.
     template <int dim>
     LA::Vector
     from_nodes(const Snapshot<dim> &snapshot, const LA::Vector &values, const unsigned int pair)
@@ -30,7 +31,7 @@ namespace Signorini
 
 
 
-    // int psi v dA, int psi dA and int |psi| dA of each node.
+    // For each node the integrals of psi v, psi, and |psi| over the slave surface.
     template <int dim>
     struct Integrals
     {
@@ -42,6 +43,7 @@ namespace Signorini
         , size(elasticity.zero_vector())
       {}
 
+      /// Add a point with the value v.
       void
       add(const ContactPoint<dim> &point, const double v)
       {
@@ -53,6 +55,7 @@ namespace Signorini
           }
       }
 
+      /// Sum over ranks. Collective.
       void
       finish()
       {
@@ -63,6 +66,8 @@ namespace Signorini
 
 
 
+    /// @return at each node the mean of values at points, weighted with its shape function.
+    /// Collective.
     template <int dim>
     LA::Vector
     from_points(const Snapshot<dim> &snapshot, const LA::Vector &values, const unsigned int pair)
@@ -75,8 +80,8 @@ namespace Signorini
 
       LA::Vector field = snapshot.elasticity.zero_vector();
       for (const auto i : snapshot.elasticity.owned())
-        // Shape functions of higher degree are negative in places: where few points have a
-        // projection, their integral may come near zero, and the mean would mean nothing.
+        // Shape functions of higher degree are partly negative: where few points have a projection,
+        // the integral of psi may be nearly zero, and the mean would be meaningless.
         if (integrals.size(i) > 0 && integrals.area(i) > 1e-6 * integrals.size(i))
           field(i) = integrals.value(i) / integrals.area(i);
       field.compress(VectorOperation::insert);

@@ -15,6 +15,7 @@ namespace Signorini
   {
     using Node = types::global_dof_index;
 
+    /// A node of the slave surface with its pressure, as it is sent to other ranks.
     template <int dim>
     struct NodeValue
     {
@@ -30,7 +31,8 @@ namespace Signorini
       }
     };
 
-    /// The nodes, by number, of all faces that have one of these. Collective.
+    /// @return the nodes, by number, of all faces that have one of some nodes, from all ranks.
+    /// Collective.
     template <int dim>
     std::map<Node, NodeValue<dim>>
     nodes_around(const std::set<Node>              &nodes,
@@ -52,8 +54,8 @@ namespace Signorini
       return result;
     }
 
-    /// At `center` by the linear function along the surface that is closest to the values there,
-    /// nearer ones counting more.
+    /// @return the value at `center` of the linear function along the surface that fits the values
+    /// around it best, with weights of the inverse squared distance.
     template <int dim>
     double
     linear_continuation(const Point<dim> &center, const std::vector<NodeValue<dim>> &values)
@@ -63,7 +65,8 @@ namespace Signorini
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             spread(c, d) += (value.position - center)[c] * (value.position - center)[d];
-      // Along the surface, since heights of a curved one are quadratic, as pressures are.
+      // The principal axes of the positions; the one with the least extent is normal to the surface
+      // and not used, since heights over a curved surface are quadratic, as pressures are.
       const SymmetricEigenpairs axes = eigenpairs_of_symmetric(spread);
       const double              size = std::sqrt(axes.values(dim - 1));
       Eigen::MatrixXd           A    = Eigen::MatrixXd::Zero(dim, dim);
@@ -81,7 +84,8 @@ namespace Signorini
           A += weight * linear * linear.transpose();
           b += weight * value.pressure * linear;
         }
-      // Where all nodes are on a line through the center, what is across it does not matter.
+      // The pseudo-inverse: where all nodes are on a line through the centre, the gradient across
+      // it does not matter.
       const SymmetricEigenpairs modes  = eigenpairs_of_symmetric(A);
       double                    result = 0;
       for (unsigned int m = 0; m < dim; ++m)
@@ -93,6 +97,8 @@ namespace Signorini
 
 
 
+  // The node with the largest pressure (of equal ones the first), and the nodes of two rings of
+  // faces around it.
   template <int dim>
   double
   sharpness_of_peak(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)

@@ -8,6 +8,9 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Rows of methods that sample at points are the points themselves. For nodal methods the gap is
+  // recomputed from the displacement, and the pressure is interpolated from the nodes; with a dual
+  // basis by the interpolation functions of the point instead of the multiplier functions.
   template <int dim>
   PointValues
   point_values(const Snapshot<dim> &s, const unsigned int pair)

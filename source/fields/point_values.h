@@ -7,14 +7,17 @@
 
 namespace Signorini
 {
-  /// Gap and pressure at the contact points of one pair on this rank, whatever the method samples:
-  /// the gap of the displacement there, and the pressure as interpolated from the nodes.
+  /// Gap [length, positive where open] and Cauchy pressure [stress, positive in compression] at the
+  /// contact points of one pair on this rank, one entry for each point, independent of where the
+  /// method samples.
   struct PointValues
   {
     std::vector<double> gap, pressure;
   };
 
-  /// Collective.
+  /// @return the values at the contact points. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
   template <int dim>
   PointValues
   point_values(const Snapshot<dim> &snapshot, unsigned int pair);

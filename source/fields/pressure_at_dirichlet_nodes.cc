@@ -12,10 +12,15 @@ namespace Signorini
 
   namespace
   {
+    /// Extrapolates the pressure to nodes without multiplier. The pressure of a node near them is a
+    /// mean over its own and the adopted functions; it belongs to the centre of gravity of its
+    /// multiplier function, not to the node. From there the mean gradient of the adjacent parts in
+    /// contact continues it.
     template <int dim>
     class Extrapolation
     {
     public:
+      /// @param raw the nodal pressures, see nodal_field()
       Extrapolation(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &raw)
         : s(s)
         , number_of_pair(pair)
@@ -25,6 +30,8 @@ namespace Signorini
         , slopes(mean_slopes())
       {}
 
+      /// Set the pressures of nodes without multiplier and of the nodes that have adopted their
+      /// functions. Collective.
       void
       apply(LA::Vector &pressure) const
       {
@@ -48,12 +55,14 @@ namespace Signorini
     private:
       static constexpr unsigned int n = std::tuple_size<Part<dim>>::value;
 
+      /// @return some zero vectors.
       std::vector<LA::Vector>
       zeros(const unsigned int number) const
       {
         return std::vector<LA::Vector>(number, s.elasticity.zero_vector());
       }
 
+      /// @return vectors of sums of all ranks, with ghost values. Collective.
       std::vector<LA::Vector>
       summed(std::vector<LA::Vector> sums) const
       {
@@ -66,7 +75,7 @@ namespace Signorini
         return result;
       }
 
-      /// int psi x dA, and last int psi dA.
+      /// @return for each node int psi x dA, component by component, and as last vector int psi dA.
       std::vector<LA::Vector>
       centers_of_functions() const
       {
@@ -81,6 +90,7 @@ namespace Signorini
         return summed(std::move(sums));
       }
 
+      /// @return the centre of gravity of the multiplier function of a node.
       Tensor<1, dim>
       center(const types::global_dof_index node) const
       {
@@ -90,7 +100,8 @@ namespace Signorini
         return result;
       }
 
-      /// Of parts that press as a whole, at their nodes; last their numbers.
+      /// @return for each node the sums of the pressure gradients of adjacent parts whose nodes are
+      /// all in compression, and as last vector the number of these parts.
       std::vector<LA::Vector>
       mean_slopes() const
       {
@@ -117,6 +128,7 @@ namespace Signorini
         return summed(std::move(sums));
       }
 
+      /// @return the pressure at x, continued from a node; not negative if the pair can separate.
       double
       extrapolated(const types::global_dof_index node, const Point<dim> &x) const
       {
@@ -127,6 +139,8 @@ namespace Signorini
         return s.pairs[number_of_pair].can_separate ? std::max(0., value) : value;
       }
 
+      /// @return whether a point is on the axis of an axisymmetric model, where the node has no
+      /// function for another reason.
       bool
       is_on_axis(const Point<dim> &x) const
       {
@@ -134,6 +148,8 @@ namespace Signorini
                x[0] < 1e-10 * s.elasticity.rotation_length_scale();
       }
 
+      /// Set the nodes that have adopted functions to the extrapolated values at their own
+      /// positions.
       void
       set_neighbours(LA::Vector &pressure) const
       {

@@ -26,13 +26,16 @@ namespace Signorini
     template <int dim>
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-    // Distances in units of the cell. Within `same`, points on faces belong to both their cells.
+    // Distances are in reference coordinates of a cell. Points closer than this to a face belong to
+    // both cells.
     constexpr double same = 1e-6;
 
-    /// What decides between the cells that a probe may lie in; the same on whatever rank they are.
+    /// The properties of a cell by which one of several candidates for a probe is chosen. They do
+    /// not depend on the partition, so that the choice is the same for any number of ranks.
     template <int dim>
     struct Claim
     {
+      /// Distance from the reference cell, 0 inside.
       double       distance = std::numeric_limits<double>::infinity();
       unsigned int body     = numbers::invalid_unsigned_int;
       Point<dim>   center;
@@ -46,7 +49,7 @@ namespace Signorini
       }
     };
 
-    /// A cell of this rank with its claim.
+    /// A candidate cell of this rank.
     template <int dim>
     struct CellLocation
     {
@@ -57,6 +60,8 @@ namespace Signorini
 
 
 
+    /// @return whether candidate a is preferred: the closest cell, then the first body, then the
+    /// lowest centre.
     template <int dim>
     bool
     takes_precedence(const Claim<dim> &a, const Claim<dim> &b)
@@ -73,6 +78,8 @@ namespace Signorini
 
 
 
+    /// @return a point in the coordinates of a cell; with infinite distance if it is farther than
+    /// `farthest`.
     template <int dim>
     CellLocation<dim>
     place_in(const Mapping<dim> &mapping,
@@ -97,13 +104,14 @@ namespace Signorini
         }
       catch (const typename Mapping<dim>::ExcTransformationFailed &)
         {
-          // So the point is far from the cell.
+          // The mapping could not be inverted: the point is far from the cell.
         }
       return location;
     }
 
 
 
+    /// @return whether a probe belongs to this body, and its point is in the box.
     template <int dim>
     bool
     may_be_in(const Probe<dim> &probe, const std::string &body, const BoundingBox<dim> &box)
@@ -113,7 +121,8 @@ namespace Signorini
 
 
 
-    /// The best place of each probe on this rank.
+    /// @return the preferred cell of this rank for each probe. Cost: number of cells times number
+    /// of probes, by boxes.
     template <int dim>
     std::vector<CellLocation<dim>>
     own_places(const Elasticity<dim>         &elasticity,
@@ -125,8 +134,8 @@ namespace Signorini
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            // The box is that of the vertices; an edge that is a quarter of a circle leaves it by
-            // a fifth of its length.
+            // The box is that of the vertices; an edge that is a quarter of a circle extends beyond
+            // it by a fifth of its length.
             BoundingBox<dim> box = cell->bounding_box();
             box.extend(0.25 * cell->diameter());
             for (unsigned int i = 0; i < probes.size(); ++i)
@@ -143,7 +152,7 @@ namespace Signorini
 
 
 
-    /// "from (0, 0) to (1, 1)"
+    /// @return the extent of a body for messages.
     template <int dim>
     std::string
     extent_of_body(const Mesh<dim> &mesh, const unsigned int body)
@@ -154,6 +163,8 @@ namespace Signorini
 
 
 
+    /// Throw SceneError: the point is outside of all bodies, or of its body, which does perhaps not
+    /// exist.
     template <int dim>
     [[noreturn]] void
     refuse(const Probe<dim> &probe, const Mesh<dim> &mesh)
@@ -176,9 +187,9 @@ namespace Signorini
 
 
 
-    /// The cells of one piece of the body that share the point of a place, with their own points:
-    /// found from face to face, so that the other side of a slit is none of them. All of them are
-    /// owned by this rank or ghosts.
+    /// @return the cells that contain the point x, with its reference coordinates in each of them.
+    /// They are found from face to face, so that the other side of a slit is not among them. All
+    /// are locally owned or ghost cells.
     template <int dim>
     std::vector<CellLocation<dim>>
     cells_about(const Mapping<dim> &mapping, const CellLocation<dim> &first, const Point<dim> &x)
@@ -210,7 +221,7 @@ namespace Signorini
 
 
 
-    /// The mean over cells that share the point.
+    /// Compute displacement and stress at a point as means over the cells that share it.
     template <int dim>
     void
     evaluate(const Elasticity<dim>                &elasticity,
@@ -239,7 +250,7 @@ namespace Signorini
 
 
 
-    /// The rank with the best claim to probe i.
+    /// @return the rank with the preferred cell of probe i.
     template <int dim>
     unsigned int
     winner(const std::vector<std::vector<Claim<dim>>> &claims, const unsigned int i)
@@ -252,7 +263,7 @@ namespace Signorini
              claims.begin();
     }
 
-    /// The claims of each rank. Collective.
+    /// @return the candidates of all ranks, [rank][probe]. Collective.
     template <int dim>
     std::vector<std::vector<Claim<dim>>>
     all_claims(const std::vector<CellLocation<dim>> &locations, const MPI_Comm comm)
@@ -268,6 +279,7 @@ namespace Signorini
 
   namespace
   {
+    /// Throw SceneError for a probe outside of its body. Collective.
     template <int dim>
     void
     check_in_bodies(const Elasticity<dim>         &elasticity,

@@ -12,19 +12,25 @@
 
 namespace Signorini
 {
+  /// The solution at a probe.
   template <int dim>
   struct ProbeValue
   {
-    std::string                   name;
-    dealii::Tensor<1, dim>        displacement;
-    dealii::SymmetricTensor<2, 3> stress; ///< tension positive
+    std::string            name;
+    dealii::Tensor<1, dim> displacement;
+    /// Cauchy stress, positive in tension.
+    dealii::SymmetricTensor<2, 3> stress;
     double                        von_mises = 0;
     bool                          found     = false;
   };
 
-  /// Throws SceneError for a point that lies outside of its body by more than that share of a cell
-  /// (on a mesh that is to be refined, curved surfaces move), or beside the slave of its pair, and
-  /// for names that are none. Collective.
+  /// Throws SceneError for points outside of their body or beside the slave of their pair, and for
+  /// names that do not exist. Collective.
+  /// @param elasticity the model
+  /// @param pairs of the scene
+  /// @param probes of the scene
+  /// @param tolerance allowed distance in units of a cell (curved surfaces move when the mesh is
+  /// refined)
   template <int dim>
   void
   check_probes(const Elasticity<dim>               &elasticity,
@@ -32,24 +38,34 @@ namespace Signorini
                const std::vector<Probe<dim>>       &probes,
                double                               tolerance);
 
-  /// The pair of a probe that is on one. Throws SceneError if there is none of that name.
+  /// @return the index of the pair of a probe on a slave surface. Throws SceneError if there is
+  /// none of that name.
+  /// @param probe the probe
+  /// @param pairs of the scene
   template <int dim>
   unsigned int
   pair_of(const Probe<dim> &probe, const std::vector<ContactPair<dim>> &pairs);
 
-  /// Displacement and stress at each probe, a point in a body, the same on all ranks and
-  /// independent of their number. Cells that share the point give their mean; where bodies do, it
-  /// is that of the first body. A point may lie outside its cell by probe_tolerance. Throws
-  /// SceneError for one that lies farther outside. Collective.
-  /// @param displacement without ghosts
+  /// @return displacement and stress at each probe, a point in a body, the same on all ranks and
+  /// independent of their number. The values are means over the cells of one body that share the
+  /// point; if several bodies share it, those of the first one. Throws SceneError for a point that
+  /// is farther than probe_tolerance outside of the cells. Collective.
+  /// @param elasticity the model
+  /// @param displacement without ghost values
+  /// @param probes points in bodies
   template <int dim>
   std::vector<ProbeValue<dim>>
   evaluate_probes(const Elasticity<dim>         &elasticity,
                   const LA::Vector              &displacement,
                   const std::vector<Probe<dim>> &probes);
 
-  /// The derivative of of_displacement . u + of_stress : sigma at a probe, as evaluate_probes()
-  /// says it, by the free degrees of freedom. The point has to lie in its body. Collective.
+  /// @return the derivative of of_displacement . u + of_stress : sigma at a probe, in the sense of
+  /// evaluate_probes(), with respect to the free degrees of freedom. The point must be in its body.
+  /// Collective.
+  /// @param elasticity the model
+  /// @param probe a point in a body
+  /// @param of_displacement weights of the components of the displacement
+  /// @param of_stress weights of the stress components
   template <int dim>
   LA::Vector
   probe_functional(const Elasticity<dim>               &elasticity,

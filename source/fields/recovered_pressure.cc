@@ -21,11 +21,15 @@ namespace Signorini
     constexpr unsigned int max_steps = 200;
     constexpr double       enough    = 1e-9; // of the largest pressure, that a step changes
 
-    /// Means over the linear functions of the vertices.
+    /// The iteration of recovered_pressure() for faces of degree 2. Fields have one value for each
+    /// vertex of the slave faces (FaceVertices); m_v and the like are means weighted with the
+    /// linear function phi_v of a vertex.
     template <int dim>
     class Recovery
     {
     public:
+      /// Integrate the functions over the contact points: areas, offsets and the matrices of the
+      /// faces. Collective.
       Recovery(const Snapshot<dim> &s, const unsigned int pair)
         : s(s)
         , surface(s.surfaces[pair])
@@ -64,6 +68,10 @@ namespace Signorini
           divide(component);
       }
 
+      /// @return the recovered nodal pressure. The fixed-point iteration contracts on all but very
+      /// irregular meshes. It ends if a step changes less than 1e-9 of the largest pressure, if the
+      /// steps grow (then the means themselves are the result), or after 200 steps. Each step costs
+      /// a few vectors of the surface. Collective.
       LA::Vector
       run() const
       {
@@ -78,7 +86,7 @@ namespace Signorini
             const Field next = keep_at_edges(next_guess(q, means, gradient), means);
             q -= next;
             const double change = q.linfty_norm();
-            // On meshes that are too irregular for it, what was reached.
+            // The iteration does not contract on this mesh: the means themselves are taken.
             if (step > 4 && change >= before)
               return with_nodes_between(means, gradient);
             q = next;
@@ -104,6 +112,7 @@ namespace Signorini
         std::array<std::array<Tensor<1, dim>, n>, n> gradient{};
       };
 
+      /// Add a contact point to the matrices of its face.
       void
       add_to_matrices(const ContactPoint<dim> &point, const Functions &at)
       {
@@ -124,18 +133,21 @@ namespace Signorini
           }
       }
 
+      /// @return the number of the vertex of a node at a corner.
       static unsigned int
       corner_of_node(const unsigned int node, const unsigned int degree)
       {
         return (node % (degree + 1) > 0 ? 1 : 0) + (node > degree ? 2 : 0);
       }
 
+      /// @return whether a node is not entirely in contact.
       bool
       is_open(const types::global_dof_index node) const
       {
         return status(node) < 1 - 1e-6;
       }
 
+      /// @return whether a face has a node that is not in contact.
       bool
       has_open_node(const SlaveFace<dim> &face) const
       {
@@ -145,7 +157,8 @@ namespace Signorini
         return false;
       }
 
-      /// The master covers it in part: values at vertices would be extrapolations from there.
+      /// @return whether the master covers the face only partly, so that values at vertices would
+      /// be extrapolations.
       static bool
       is_part(const SlaveFace<dim> &face)
       {
@@ -153,14 +166,15 @@ namespace Signorini
         return face.covered < nearly_whole;
       }
 
-      /// True if the face is at the edge of the contact area or of the master.
+      /// @return whether the face is at the edge of the contact area or of the master.
       bool
       is_at_edge(const SlaveFace<dim> &face) const
       {
         return is_part(face) || has_open_node(face);
       }
 
-      /// From an integral to a mean, zero where there is no area.
+      /// Divide an integral by the area of the vertex functions; zero where there is no area.
+      /// Collective.
       void
       divide(Field &integral) const
       {
@@ -170,7 +184,9 @@ namespace Signorini
             area.local_element(k) > 0 ? integral.local_element(k) / area.local_element(k) : 0.;
       }
 
-      /// Of a pressure in the dual basis int phi_i lambda dA = p_i int phi_i dA on each face.
+      /// @return the means m of the computed pressure. In the dual basis int phi_i lambda dA = p_i
+      /// int phi_i dA on each face, so that the means follow from the coefficients without the dual
+      /// functions. Collective.
       Field
       mean_pressure() const
       {
@@ -203,7 +219,7 @@ namespace Signorini
         return result;
       }
 
-      /// Value of the linear function of corner c at node i.
+      /// @return the value of the linear function of corner c at node i.
       static double
       share(const unsigned int c, const unsigned int i, const unsigned int degree)
       {
@@ -213,6 +229,7 @@ namespace Signorini
         return Functions(xi).value[c];
       }
 
+      /// @return the means of the linear interpolant of a field. Collective.
       Field
       means_of_linear(const Field &field) const
       {
@@ -227,7 +244,8 @@ namespace Signorini
         return result;
       }
 
-      /// Along the surface, of the linear interpolant, means at the vertices.
+      /// @return the means of the surface gradients of the linear interpolant of a field, component
+      /// by component. Collective.
       std::vector<Field>
       mean_gradients(const Field &field) const
       {
@@ -248,9 +266,10 @@ namespace Signorini
         return result;
       }
 
-      /// The means of the linear interpolant's gradients are gradients at the offsets d, those
-      /// along d at 3/2 d. At faces that are covered in part the means themselves: with offsets of
-      /// more than half a face the correction would grow from step to step.
+      /// @return gradients at the vertices. The means of the gradients of the linear interpolant
+      /// are gradients at the offsets d, those along d at 3/2 d; the difference is corrected by the
+      /// gradient of the last iterate. At faces that are covered partly the means are returned:
+      /// with offsets of more than half a face the correction would grow from step to step.
       std::vector<Field>
       corrected(std::vector<Field> means, const std::vector<Field> &gradient) const
       {
@@ -282,6 +301,7 @@ namespace Signorini
         return means;
       }
 
+      /// @return the next iterate m - (M q - q), see recovered_pressure().
       Field
       next_guess(const Field &q, const Field &means, const std::vector<Field> &gradient) const
       {
@@ -298,6 +318,8 @@ namespace Signorini
         return excess;
       }
 
+      /// @return a field with the values of another one at vertices of faces at the edge of
+      /// contact.
       Field
       keep_at_edges(Field inside, const Field &at_edges) const
       {
@@ -307,7 +329,9 @@ namespace Signorini
         return inside;
       }
 
-      /// Values at the nodes of a face from those at its corners.
+      /// @return the values at all nodes of a quadratic face from those at its corners: cubic
+      /// Hermite interpolation with the gradients on smooth faces, linear at edges; the centre by
+      /// transfinite interpolation of the boundary.
       std::vector<double>
       values_on(const unsigned int f, const Field &q, const std::vector<Field> &gradient) const
       {
@@ -338,6 +362,8 @@ namespace Signorini
         return values;
       }
 
+      /// @return the nodal field, as the mean over faces, from values and gradients at vertices;
+      /// zero at open nodes. Collective.
       LA::Vector
       with_nodes_between(const Field &field, const std::vector<Field> &gradient) const
       {
@@ -367,6 +393,7 @@ namespace Signorini
         return sum;
       }
 
+      /// @return the nodal pressures of some nodes.
       std::vector<double>
       values_of(const std::vector<types::global_dof_index> &nodes) const
       {
@@ -381,15 +408,19 @@ namespace Signorini
       const LA::Vector           raw, status; ///< with ghosts
       const unsigned int         number_of_pair;
       const Vertices             vertices;
-      /// int phi_v dA, that on faces at an edge, and that on faces that are covered in part.
-      Field                     area, open_area, part_area;
-      std::vector<Field>        offset;   ///< d
-      std::vector<FaceMatrices> matrices; ///< of slave faces
+      /// For each vertex int phi_v dA, that over faces at an edge, and that over faces that are
+      /// covered partly.
+      Field area, open_area, part_area;
+      /// The offsets d of the vertex functions, component by component.
+      std::vector<Field> offset;
+      /// The matrices of all slave faces.
+      std::vector<FaceMatrices> matrices;
     };
   } // namespace
 
 
 
+  // Computed once for each pair and stored in the snapshot.
   template <int dim>
   const LA::Vector &
   recovered_pressure(const Snapshot<dim> &s, const unsigned int pair)

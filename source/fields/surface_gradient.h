@@ -7,9 +7,10 @@
 
 namespace Signorini
 {
-  /// The surface gradient of a function on a face, from its derivatives in the parameters: a
-  /// tangential vector.
-  /// @param tangents derivatives of the position
+  /// @return the surface gradient of a function on a face, a tangential vector, by the inverse
+  /// metric.
+  /// @param tangents derivatives of the position by the parameters
+  /// @param slope derivatives of the function by the parameters
   template <int dim>
   dealii::Tensor<1, dim>
   surface_gradient(const std::array<dealii::Tensor<1, dim>, dim - 1> &tangents,

@@ -10,11 +10,14 @@
 
 namespace Signorini
 {
-  /// A part of a slave face between neighbouring nodes: these, by their numbers on the face.
+  /// A part of a slave face between neighbouring nodes, by the numbers of its corners on the face;
+  /// a face of degree k has k^(dim-1) parts.
   template <int dim>
   using Part = std::array<unsigned int, dim == 2 ? 2 : 4>;
 
-  /// Calls visit(part, face).
+  /// Call visit(part, face) for all parts of all faces.
+  /// @param faces the slave faces
+  /// @param visit a function of a Part and its SlaveFace
   template <int dim, typename Visit>
   void
   for_each_part(const std::vector<SlaveFace<dim>> &faces, const Visit &visit)
@@ -30,7 +33,9 @@ namespace Signorini
           }
   }
 
-  /// The gradient along the surface in the middle of a part, from the values at its nodes.
+  /// @return the surface gradient in the middle of a part, from the values at its corners.
+  /// @param positions of the corners
+  /// @param values at the corners
   template <int dim>
   dealii::Tensor<1, dim>
   slope_of_part(const std::array<dealii::Tensor<1, dim>, dim == 2 ? 2 : 4> &positions,

@@ -22,17 +22,21 @@ namespace Signorini
 
   namespace
   {
-    /// The place of a surface that is closest to a point.
+    /// The point of a surface that is closest to a given one.
     template <int dim>
     struct SurfaceProjection
     {
-      double         distance = std::numeric_limits<double>::infinity();
-      double         beside   = 0; ///< in allowed offsets along the face
-      unsigned int   face     = 0; ///< on this rank
+      double distance = std::numeric_limits<double>::infinity();
+      /// Tangential offset of the given point, in units of the allowed one.
+      double beside = 0;
+      /// Index of the face on this rank.
+      unsigned int   face = 0;
       Point<dim - 1> xi;
       Point<dim>     place;
     };
 
+    /// @return the closest point on the faces of this rank; faces whose box is farther than the
+    /// best one so far are skipped.
     template <int dim>
     SurfaceProjection<dim>
     closest(const BoundaryFaces<dim> &faces, const Point<dim> &x, const double tolerance)
@@ -46,15 +50,17 @@ namespace Signorini
           const Projection<dim> at = project(x, patch);
           if (at.distance >= best.distance)
             continue;
-          // Above a convex edge between faces points are beside both.
+          // Above a convex edge between two faces points have a tangential offset to both: half of
+          // the distance from the surface is allowed.
           const double allowed = tolerance * patch.diameter() + 0.5 * at.distance;
           best = {at.distance, at.tangential_offset / allowed, f, at.xi, at.position};
         }
       return best;
     }
 
-    /// The projections of the points on the surface, on the rank that has the closest face; on the
-    /// others their distance is infinite.
+    /// @return the projections of the points on the surface, on the rank that has the closest face;
+    /// on the others their distance is infinite. Throws SceneError for a point beside the surface.
+    /// Collective.
     template <int dim>
     std::vector<SurfaceProjection<dim>>
     project_points(const BoundaryFaces<dim>      &faces,

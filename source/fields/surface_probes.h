@@ -8,18 +8,27 @@
 
 namespace Signorini
 {
-  /// A place of a slave surface with what is there.
+  /// A point of a slave surface with the solution there.
   template <int dim>
   struct SurfaceValue
   {
-    dealii::Point<dim>     place;        ///< at rest, on the true surface
-    dealii::Tensor<1, dim> displacement; ///< of the slave
-    double                 pressure = 0; ///< recovered, positive in compression
-    double                 gap = 0; ///< positive where open; not a number: too far for candidates
+    /// Position in the reference configuration, on the true surface.
+    dealii::Point<dim> place;
+    /// Displacement of the slave.
+    dealii::Tensor<1, dim> displacement;
+    /// Recovered pressure, positive in compression.
+    double pressure = 0;
+    /// Gap [length], positive where open; NaN where surfaces are too far apart for the search.
+    double gap = 0;
   };
 
-  /// Throws SceneError, beginning with `which`, for a point that lies beside the surface by more
-  /// than that share of a face, or of its distance from the surface. Collective.
+  /// Throws SceneError for a point beside the surface. Collective.
+  /// @param elasticity the model
+  /// @param boundary name of the surface
+  /// @param points to be checked
+  /// @param tolerance allowed tangential offset in units of a face; half of the distance from the
+  /// surface is allowed in addition
+  /// @param which beginning of the message
   template <int dim>
   void
   check_on_surface(const Elasticity<dim>                 &elasticity,
@@ -28,9 +37,13 @@ namespace Signorini
                    double                                 tolerance,
                    const std::string                     &which);
 
-  /// The slave of a pair where it is closest to each point, the same on all ranks. Nodal fields are
-  /// interpolated, of methods that sample at points their means about nodes. Throws SceneError as
-  /// check_on_surface() does. Collective.
+  /// @return the solution at the point of the slave that is closest to each given point, the same
+  /// on all ranks. Nodal fields are interpolated; for methods that sample at points these are means
+  /// around nodes. Throws SceneError as check_on_surface() does. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  /// @param points any number
+  /// @param which beginning of the message
   template <int dim>
   std::vector<SurfaceValue<dim>>
   evaluate_on_slave(const Snapshot<dim>                   &snapshot,

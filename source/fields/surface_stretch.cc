@@ -7,6 +7,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // The pressure of each node is multiplied by the quotient of reference and current area of the
+  // node, 1/j of doc/theory, 6.5.
   template <int dim>
   void
   to_present_areas(const Snapshot<dim> &s, const unsigned int pair, LA::Vector &pressure)
@@ -21,7 +23,7 @@ namespace Signorini
         const LagrangePolynomials<dim - 1> shape(face.degree, point.xi);
         for (unsigned int i = 0; i < shape.size(); ++i)
           {
-            // Functions of degree 2 change sign.
+            // Shape functions of degree 2 change sign: absolute values keep the areas positive.
             const double area = std::abs(shape.value(i)) * point.weight;
             rest(face.nodes[i]) += area;
             now(face.nodes[i]) += area * point.stretch;

@@ -5,9 +5,11 @@
 
 namespace Signorini
 {
-  /// From forces per area at rest, which methods know, to Cauchy's pressure, which the output has.
-  /// At small deformation both are the same.
-  /// @param pressure at the nodes, see nodal_field()
+  /// Convert a pressure from force per reference area, the unknown of the methods, to Cauchy
+  /// pressure, which is reported (doc/theory, 6.5). At small strain both are the same. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  /// @param pressure at the nodes, see nodal_field(), which is changed
   template <int dim>
   void
   to_present_areas(const Snapshot<dim> &snapshot, unsigned int pair, LA::Vector &pressure);

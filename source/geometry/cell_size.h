@@ -12,11 +12,13 @@
 
 namespace Signorini
 {
-  // Of multilinear cells. TriaAccessor::measure() multiplies coordinates with each other, so that
-  // 1e5 cell sizes away from the origin nothing is left of a volume. Here differences of vertices
-  // are all that counts.
+  // Sizes of multilinear cells. TriaAccessor::measure() multiplies coordinates with each other, so
+  // that no digit of a volume is left 1e5 cell sizes away from the origin. These functions use
+  // differences of vertices only.
 
-  /// The edges of a cell at a point: columns dx/dxi_d.
+  /// @return the columns dx/dxi_d of the Jacobian at a point of the reference cell.
+  /// @param cell any cell
+  /// @param unit reference coordinates
   template <typename Cell, int dim = Cell::AccessorType::dimension>
   std::array<dealii::Tensor<1, dim>, dim>
   edges_at(const Cell &cell, const dealii::Point<dim> &unit)
@@ -33,7 +35,9 @@ namespace Signorini
     return edges;
   }
 
-  /// [length^dim], exact; negative if the cell is inside out.
+  /// @return the volume [length^dim], exact for multilinear cells; negative if the cell is
+  /// inverted.
+  /// @param cell any cell
   template <typename Cell, int dim = Cell::AccessorType::dimension>
   double
   volume_of(const Cell &cell)
@@ -53,7 +57,9 @@ namespace Signorini
     return sum;
   }
 
-  /// [length^(dim-1)]; exact if the face is plane.
+  /// @return the area [length^(dim-1)] of a face; exact if the face is plane.
+  /// @param cell any cell
+  /// @param face number of the face
   template <typename Cell, int dim = Cell::AccessorType::dimension>
   double
   area_of_face(const Cell &cell, const unsigned int face)
@@ -73,7 +79,9 @@ namespace Signorini
     return sum;
   }
 
-  /// How far a cell reaches into the body behind one of its faces, on average [length].
+  /// @return the mean depth [length] of a cell behind one of its faces, volume over area.
+  /// @param cell any cell
+  /// @param face number of the face
   template <typename Cell>
   double
   depth_behind(const Cell &cell, const unsigned int face)

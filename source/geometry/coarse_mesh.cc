@@ -13,12 +13,13 @@ namespace Signorini
 
   namespace
   {
-    /// Boundary faces stay, as do interior objects that have a manifold; the rest says nothing.
+    /// Remove the entries of interior faces and lines without manifold, which have no effect.
     template <typename Object>
     void
     strip_settings(std::vector<Object> &objects, const bool are_faces)
     {
-      // In 3D, the boundary id of a line means nothing to us, and "none" never contradicts.
+      // In 3D the boundary id of a line has no meaning here; "none" never contradicts that of
+      // another face.
       if (!are_faces)
         for (Object &object : objects)
           object.boundary_id = numbers::internal_face_boundary_id;
@@ -34,6 +35,7 @@ namespace Signorini
 
 
 
+    /// Throws if a boundary face has no name: an error of a mesh generator.
     template <typename Face>
     void
     check_names(const std::vector<Face> &faces, const unsigned int n_names)

@@ -23,6 +23,7 @@ namespace Signorini
 
 
 
+  // Union-find with path halving; the root of a set is its smallest member.
   unsigned int
   Connected::first_of(const unsigned int a)
   {

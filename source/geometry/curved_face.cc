@@ -26,7 +26,8 @@ namespace Signorini
     : from(from)
     , to(to)
   {
-    // An arc of angle t has the chord 2 R sin(t/2), the tangents 4 R tan(t/4) at t/2 to the chord.
+    // An arc of angle t and radius R has the chord 2 R sin(t/2) and, for the best Hermite
+    // interpolant, tangents of length 4 R tan(t/4), at angles of t/2 to the chord.
     const Tensor<1, dim> chord  = to - from;
     const double         cosine = (start + end) * chord / (2 * chord.norm()),
                  length         = 2 * chord.norm() / (1 + cosine);
@@ -56,6 +57,8 @@ namespace Signorini
 
 
 
+  // The Coons patch: the sum of both linear interpolations between opposite edges minus the
+  // bilinear interpolation of the corners.
   template <int dim>
   Point<dim>
   CurvedFace<dim>::push_forward(const Point<dim - 1> &xi) const
@@ -107,7 +110,8 @@ namespace Signorini
   Point<dim - 1>
   CurvedFace<dim>::pull_back(const Point<dim> &x) const
   {
-    // From the nearest of a few points by Gauss and Newton; the face bends little.
+    // Gauss-Newton from the nearest of some sample points, which is close since the face bends
+    // little; parameters are limited to a range beyond the face.
     constexpr unsigned int n = 5;
     Point<dim - 1>         xi;
     double                 least = std::numeric_limits<double>::max();

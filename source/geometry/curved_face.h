@@ -9,25 +9,32 @@
 
 namespace Signorini
 {
-  /// A cubic curve from one point to another, with given directions there (Hermite). The lengths of
-  /// the tangents are those with which an arc of a circle of angle t is met up to t^6.
+  /// A cubic (Hermite) curve between two points with given directions there. The lengths of the
+  /// tangents are chosen such that an arc of a circle of angle t is approximated with an error of
+  /// order t^6.
   template <int dim>
   class CubicCurve
   {
   public:
-    /// Straight.
+    /// A straight line.
+    /// @param from,to its ends
     CubicCurve(const dealii::Point<dim> &from, const dealii::Point<dim> &to);
 
-    /// @param start, end directions, unit vectors, along from - to
+    /// A curve.
+    /// @param from,to its ends
+    /// @param start,end unit tangents, both in the direction of the curve
     CubicCurve(const dealii::Point<dim>     &from,
                const dealii::Point<dim>     &to,
                const dealii::Tensor<1, dim> &start,
                const dealii::Tensor<1, dim> &end);
 
+    /// @return the point at a parameter.
     /// @param t from 0 to 1
     dealii::Point<dim>
     value(double t) const;
 
+    /// @return the derivative by the parameter.
+    /// @param t from 0 to 1
     dealii::Tensor<1, dim>
     derivative(double t) const;
 
@@ -36,13 +43,13 @@ namespace Signorini
     dealii::Tensor<1, dim> start, end;
   };
 
-  /// A curved face: in 2D a curve; in 3D what lies between four curves, the Coons patch.
+  /// A curved face as manifold: in 2D a curve; in 3D the Coons patch between four curves.
   template <int dim>
   class CurvedFace : public dealii::ChartManifold<dim, dim, dim - 1>
   {
   public:
-    /// In 3D in deal.II's order of the lines of a quadrilateral: x = 0, x = 1 (along y), y = 0, y =
-    /// 1 (along x).
+    /// The edges; in 3D in deal.II's order of the lines of a quadrilateral: x = 0, x = 1 (along y),
+    /// y = 0, y = 1 (along x).
     using Edges = std::array<CubicCurve<dim>, dim == 2 ? 1 : 4>;
 
     explicit CurvedFace(const Edges &edges)
@@ -55,7 +62,7 @@ namespace Signorini
       return std::make_unique<CurvedFace<dim>>(edges);
     }
 
-    /// That of the closest point.
+    /// @return the parameter of the closest point of the face.
     dealii::Point<dim - 1>
     pull_back(const dealii::Point<dim> &x) const override;
 

@@ -12,11 +12,13 @@
 
 namespace Signorini
 {
-  /// The box around points on all ranks.
+  /// The bounding box of points on all ranks.
   template <int dim>
   class Extent
   {
   public:
+    /// Extend the box.
+    /// @param p a point on this rank
     void
     add(const dealii::Tensor<1, dim> &p)
     {
@@ -27,7 +29,9 @@ namespace Signorini
         }
     }
 
-    /// Collective. Inside out if there are no points: then nothing is its neighbour.
+    /// @return the box of the points of all ranks; inverted if there are no points, so that it has
+    /// no neighbours. Collective.
+    /// @param comm the ranks
     dealii::BoundingBox<dim>
     reduce_over_ranks(const MPI_Comm comm) const
     {
@@ -43,11 +47,13 @@ namespace Signorini
     }
 
   private:
-    // Of x and of -x, so that one reduction serves both ends.
+    // Maxima of x and of -x, so that one reduction yields both ends.
     std::vector<double> bounds = std::vector<double>(2 * dim, -std::numeric_limits<double>::max());
   };
 
-  /// Distance of a point to a box, zero inside.
+  /// @return the distance of a point from a box; zero inside.
+  /// @param x the point
+  /// @param box the box
   template <int dim>
   double
   distance(const dealii::Point<dim> &x, const dealii::BoundingBox<dim> &box)

@@ -7,8 +7,10 @@
 
 namespace Signorini
 {
-  /// The point of the reference cell that has parameter xi in [0,1]^(dim-1) on a face, in the
-  /// convention of deal.II's QProjector: the parameters follow the normal direction cyclically.
+  /// @return the point of the reference cell that has a parameter on a face, in the convention of
+  /// deal.II's QProjector: the parameters follow the normal direction cyclically.
+  /// @param face number of the face
+  /// @param xi parameter in [0,1]^(dim-1)
   template <int dim>
   dealii::Point<dim>
   unit_point(const unsigned int face, const dealii::Point<dim - 1> &xi)
@@ -20,7 +22,9 @@ namespace Signorini
     return p;
   }
 
-  /// The inverse of unit_point().
+  /// @return the parameter of a point on a face, the inverse of unit_point().
+  /// @param face number of the face
+  /// @param p point of the reference cell
   template <int dim>
   dealii::Point<dim - 1>
   face_parameter(const unsigned int face, const dealii::Point<dim> &p)
@@ -31,7 +35,9 @@ namespace Signorini
     return xi;
   }
 
-  /// The parameters of (k+1)^(dim-1) equidistant points of a face, the first one running fastest.
+  /// @return the parameters of (k+1)^(dim-1) equidistant points of a face, with the first
+  /// coordinate running fastest.
+  /// @param k degree, at least 1
   template <int dim>
   std::vector<dealii::Point<dim - 1>>
   face_lattice(const unsigned int k)

@@ -12,10 +12,12 @@ namespace Signorini
   /// Highest degree of a face.
   constexpr unsigned int max_degree = 4;
 
-  /// Value, first and second derivative of every basis function at one place, without the heap.
+  /// Value, first and second derivative of each basis function at one point, in a fixed array
+  /// without dynamic memory.
   using LagrangeBasis = std::array<std::array<double, 3>, max_degree + 1>;
 
-  /// Of those beyond the middle, functions of -s as they come, the first derivative by s.
+  /// @return the basis with the signs of the first derivatives corrected for the functions beyond
+  /// the middle, which are computed as functions of -s.
   inline LagrangeBasis
   mirrored(LagrangeBasis basis, const unsigned int k)
   {
@@ -24,7 +26,7 @@ namespace Signorini
     return basis;
   }
 
-  /// The polynomials of degree k on k+1 equidistant nodes of [0,1], at x.
+  /// @return the Lagrange polynomials of degree k (1 to 4) on k+1 equidistant nodes of [0,1], at x.
   inline LagrangeBasis
   lagrange(const unsigned int k, const double x)
   {
@@ -34,8 +36,8 @@ namespace Signorini
       return {{{{(2 * x - 1) * (x - 1), 4 * x - 3, 4.}},
                {{4 * x * (1 - x), 4 - 8 * x, -8.}},
                {{x * (2 * x - 1), 4 * x - 1, 4.}}}};
-    // By s = kx - k/2, in which functions are the mirror images of each other. Values are products
-    // of factors, exact at the nodes.
+    // In the variable s = kx - k/2 functions are mirror images of each other. Values are products
+    // of factors, which are exact at the nodes.
     const double s = k * x - 0.5 * k, ss = s * s;
     if (k == 3)
       {
@@ -66,16 +68,19 @@ namespace Signorini
     return mirrored({{outer(s), inner(s), middle, inner(-s), outer(-s)}}, k);
   }
 
-  /// The tensor product polynomials of degree k on the (k+1)^m equidistant nodes of [0,1]^m, at one
-  /// place: the shape functions of a face (m = dim-1, nodes as in face_lattice()) or of a cell
-  /// (m = dim). Nodes are in lexicographic order, the first coordinate running fastest.
+  /// The tensor product Lagrange polynomials of degree k on the (k+1)^m equidistant nodes of
+  /// [0,1]^m, at one point: the shape functions of a face (m = dim-1, nodes as in face_lattice()),
+  /// (3.1) of doc/theory, or of a cell (m = dim). Nodes are in lexicographic order, the first
+  /// coordinate running fastest.
   template <int m>
   class LagrangePolynomials
   {
   public:
-    /// Of a node, its number along each coordinate; of a derivative, its order.
+    /// The number of a node along each coordinate, or the order of a derivative in each.
     using Index = std::array<unsigned int, m>;
 
+    /// @param k degree, 1 to max_degree
+    /// @param x the point at which all functions are evaluated
     LagrangePolynomials(const unsigned int k, const dealii::Point<m> &x)
       : k(k)
     {
@@ -83,6 +88,7 @@ namespace Signorini
         along[d] = lagrange(k, x[d]);
     }
 
+    /// @return the number of functions.
     unsigned int
     size() const
     {
@@ -92,6 +98,9 @@ namespace Signorini
       return n;
     }
 
+    /// @return a derivative of a function; the sum of the orders may be up to 2m.
+    /// @param node of the function
+    /// @param orders of the derivative in each coordinate, 0 to 2
     double
     derivative(const Index &node, const Index &orders) const
     {
@@ -120,7 +129,8 @@ namespace Signorini
       return result;
     }
 
-    /// The same by the node's place in the order.
+    /// @return the value of a function.
+    /// @param node its number in lexicographic order
     double
     value(const unsigned int node) const
     {
@@ -133,7 +143,9 @@ namespace Signorini
       return gradient(index(node));
     }
 
-    /// On a face, the derivative of the polynomial with these nodal values.
+    /// @return on a face, the derivative of the polynomial with given nodal values.
+    /// @param nodal_values in lexicographic order
+    /// @param orders of the derivative in each coordinate, 0 to 2
     template <typename Sum, typename Value>
     Sum
     derivative_of(const std::vector<Value> &nodal_values, const Index &orders) const
@@ -152,6 +164,7 @@ namespace Signorini
     }
 
   private:
+    /// @return the numbers of a node along each coordinate.
     Index
     index(unsigned int node) const
     {

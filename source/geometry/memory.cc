@@ -16,6 +16,7 @@ namespace Signorini
 
 
 
+  // A lower bound of the memory of a cell, so that no feasible mesh is rejected.
   double
   largest_number_of_cells()
   {

@@ -5,16 +5,18 @@
 
 namespace Signorini
 {
-  /// What memory there is, in bytes: that of this machine, unless another number is written here.
+  /// @return the memory of this machine in bytes; tests may assign another value.
   double &
   memory_of_machine();
 
-  /// More cells than that do not fit into the memory of this machine, whatever is done with them.
+  /// @return the number of cells above which a mesh cannot fit into the memory of this machine.
   double
   largest_number_of_cells();
 
-  /// Refuse a number of coarse cells, given by a key, that no memory holds. The product of
-  /// `numbers` counts.
+  /// Throws SceneError if the product of some numbers of coarse cells does not fit into the memory.
+  /// @param section of the key
+  /// @param key that has the numbers
+  /// @param numbers of cells in each direction
   void
   check_number_of_cells(const Section                   &section,
                         const std::string               &key,

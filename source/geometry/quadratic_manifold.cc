@@ -15,7 +15,8 @@ namespace Signorini
 
   namespace
   {
-    /// Place of a node of MeshFile::Element in the lattice of 3^dim points, as ix + 3 iy + 9 iz.
+    /// @return the position of a node of MeshFile::Element in the lattice of 3^dim points, as ix +
+    /// 3 iy + 9 iz.
     template <int dim>
     unsigned int
     lattice_point(const unsigned int node)
@@ -28,7 +29,7 @@ namespace Signorini
 
 
 
-    /// The lattice point as numbers 0, 1, 2 in each direction.
+    /// @return the numbers 0, 1, 2 of a lattice point in each direction.
     template <int dim>
     std::array<unsigned int, dim>
     indices_of(unsigned int point)
@@ -44,7 +45,8 @@ namespace Signorini
 
 
 
-    /// In how many directions is the point in the middle?
+    /// @return in how many directions the point is in the middle: 0 for corners, 1 for edges, 2 for
+    /// faces, 3 for the centre.
     template <int dim>
     unsigned int
     n_middles(const unsigned int point)
@@ -57,7 +59,8 @@ namespace Signorini
 
 
 
-    /// Does point b lie on the smallest edge, face or cell around a?
+    /// @return whether point b is on the smallest edge, face or cell that contains a in its
+    /// interior.
     template <int dim>
     bool
     is_around(const unsigned int a, const unsigned int b)
@@ -71,8 +74,8 @@ namespace Signorini
 
 
 
-    /// Value of a function on the lattice that corners (and, if wanted, edges) define, by the
-    /// multilinear (the serendipity) functions.
+    /// @return the position of a lattice point that the corners alone define by the multilinear
+    /// functions, or corners and edges by the serendipity functions.
     template <int dim>
     Point<dim>
     filled(const std::vector<Point<dim>> &points, const unsigned int a, const bool by_edges)
@@ -92,7 +95,8 @@ namespace Signorini
 
 
 
-    /// Quadratic functions in one dimension, which are 1 at 0, 1/2, 1; and their derivatives.
+    /// @return the quadratic Lagrange functions of the nodes 0, 1/2, 1 at x; slopes() are their
+    /// derivatives.
     std::array<double, 3>
     values(const double x)
     {
@@ -173,6 +177,8 @@ namespace Signorini
 
 
 
+  // Damped Newton iteration for x(xi) = x. It ends at rounding, when no step along the direction
+  // reduces the residual, or after 50 steps.
   template <int dim>
   Point<dim>
   QuadraticMap<dim>::inverse(const Point<dim> &x) const
@@ -180,7 +186,7 @@ namespace Signorini
     Point<dim> xi;
     for (unsigned int d = 0; d < dim; ++d)
       xi[d] = 0.5;
-    // The lattice point next to x is a start from which Newton's method does not go astray.
+    // The lattice point closest to x is a start from which Newton's method converges.
     double nearest = x.distance(value(xi));
     for (unsigned int p = 0; p < points.size(); ++p)
       if (x.distance(points[p]) < nearest)
@@ -195,7 +201,7 @@ namespace Signorini
     for (unsigned int step = 0; step < 50 && residual.norm() > 1e-15 * size; ++step)
       {
         const Tensor<1, dim> direction = invert(gradient(xi)) * residual;
-        // Shorten the step until it helps; at the level of rounding, none does.
+        // The step is halved until the residual decreases; at the level of rounding none does.
         double         factor = 1;
         Tensor<1, dim> next   = x - value(xi + direction);
         while (!(next.norm() < residual.norm()) && factor > 1e-3)

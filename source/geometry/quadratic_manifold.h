@@ -9,46 +9,55 @@
 
 namespace Signorini
 {
-  /// The isoparametric map of a cell of second order from the unit cell, and its inverse by
-  /// Newton's method.
+  /// The isoparametric map of a cell of second order from the reference cell, with its inverse.
   template <int dim>
   class QuadraticMap
   {
   public:
-    /// @param nodes positions of the cell's nodes, in the order of MeshFile::Element. Nodes that a
-    /// cell of 8 (2D) or 20 (3D) lacks in the middle lie where the serendipity functions of such a
-    /// cell put them.
+    /// @param nodes positions of the nodes, in the order of MeshFile::Element. Nodes in the middle
+    /// of faces and cell that a cell of 8 (2D) or 20 (3D) nodes lacks are placed by the serendipity
+    /// functions of such a cell.
     explicit QuadraticMap(const std::vector<dealii::Point<dim>> &nodes);
 
+    /// @return the position of a point of the reference cell.
+    /// @param xi reference coordinates
     dealii::Point<dim>
     value(const dealii::Point<dim> &xi) const;
 
-    /// dx/dxi
+    /// @return the gradient dx/dxi.
+    /// @param xi reference coordinates
     dealii::Tensor<2, dim>
     gradient(const dealii::Point<dim> &xi) const;
 
-    /// Throws std::runtime_error if there is no xi in or near the unit cell.
+    /// @return the reference coordinates of a point. Throws std::runtime_error if there are none in
+    /// or near the reference cell.
+    /// @param x a point in or near the cell
     dealii::Point<dim>
     inverse(const dealii::Point<dim> &x) const;
 
-    /// Are all nodes where the corners alone would put them?
+    /// @return whether all nodes are where the corners alone would place them, up to 1e-8 of the
+    /// size.
     bool
     is_multilinear() const;
 
-    /// Is the determinant of the gradient of one sign, at all nodes and in between?
+    /// @return whether the determinant of the gradient has one sign at all nodes and points between
+    /// them.
     bool
     is_invertible() const;
 
   private:
-    std::vector<dealii::Point<dim>> points; ///< 3^dim, the first coordinate runs fastest
-    double                          size;   ///< largest distance from the first corner
+    /// The 3^dim nodes, the first coordinate running fastest.
+    std::vector<dealii::Point<dim>> points;
+    /// Largest distance [length] of a node from the first corner.
+    double size;
   };
 
-  /// The inside, the faces and the lines of a curved cell.
+  /// The manifold of the interior, the faces and the lines of a curved cell.
   template <int dim>
   class QuadraticManifold : public dealii::ChartManifold<dim, dim, dim>
   {
   public:
+    /// @param map of the cell, which is copied
     explicit QuadraticManifold(const QuadraticMap<dim> &map)
       : map(map)
     {}

@@ -14,6 +14,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the manifold of deal.II around the origin, spherical if the axis is zero.
     template <int dim>
     std::shared_ptr<const Manifold<dim>>
     manifold_about_origin(const Tensor<1, dim> &axis)

@@ -8,16 +8,17 @@
 
 namespace Signorini
 {
-  /// Circles or spheres around a center, or cylinders around an axis. The manifolds of the library
-  /// take points for the same that are closer than 1e-10, whatever the unit of length is; here they
-  /// see points relative to the center, in units of about their distance from it.
+  /// Circles or spheres around a centre, or cylinders around an axis. The manifolds of deal.II
+  /// treat points closer than 1e-10 as equal, whatever the unit of length; here they are called
+  /// with coordinates relative to the centre, in units of about the distance from it.
   template <int dim>
   class RoundManifold : public dealii::Manifold<dim>
   {
   public:
     using Points = dealii::ArrayView<const dealii::Point<dim>>;
 
-    /// @param axis a unit vector; zero: around the center
+    /// @param center of the circles or spheres, or a point of the axis
+    /// @param axis a unit vector; zero: around the centre
     explicit RoundManifold(const dealii::Point<dim>     &center,
                            const dealii::Tensor<1, dim> &axis = dealii::Tensor<1, dim>());
 
@@ -42,7 +43,7 @@ namespace Signorini
     get_tangent_vector(const dealii::Point<dim> &x1, const dealii::Point<dim> &x2) const override;
 
   private:
-    /// Points relative to the center, divided by a power of two, which changes no digit.
+    /// Points relative to the centre, divided by a power of two, which changes no digit.
     struct Scaled
     {
       double                          unit;
@@ -52,6 +53,7 @@ namespace Signorini
     Scaled
     scaled(const Points &points) const;
 
+    /// @return a scaled point in the original coordinates.
     dealii::Point<dim>
     in_space(const dealii::Point<dim> &point, double unit) const;
 

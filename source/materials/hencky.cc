@@ -10,6 +10,7 @@ namespace Signorini
 
 
 
+  // In the logarithmic stretches the energy is that of linear elasticity.
   StretchEnergy::Derivatives
   Hencky::derivatives(const std::array<double, 3> &e) const
   {

@@ -5,7 +5,8 @@
 
 namespace Signorini
 {
-  /// W = mu (e1^2 + e2^2 + e3^2) + lambda/2 (e1 + e2 + e3)^2 of the logarithmic strains.
+  /// Hencky's law, (6.8) of doc/theory: linear elasticity of the logarithmic strains, W = mu (e1^2
+  /// + e2^2 + e3^2) + lambda/2 (e1 + e2 + e3)^2.
   class Hencky : public StretchEnergy
   {
   public:

@@ -9,9 +9,10 @@ namespace Signorini
 {
   using namespace dealii;
 
-  // With dI1/dC = I, dI2/dC = I1 I - C, dJ/dC = J/2 C^-1, and of these
-  // d2I2/dC2 = I x I - 1, d2J/dC2 = J/4 C^-1 x C^-1 - J/2 P, where -P is the derivative of C^-1,
-  // P_ijkl = (A_ik A_jl + A_il A_jk)/2 with A = C^-1. In components, see SymmetricPairs.
+  // Equation (6.6) of doc/theory, with dI1/dC = I, dI2/dC = I1 I - C, dJ/dC = J/2 C^-1, and of
+  // these d2I2/dC2 = I x I - 1, d2J/dC2 = J/4 C^-1 x C^-1 - J/2 P, where -P is the derivative of
+  // C^-1, P_ijkl = (A_ik A_jl + A_il A_jk)/2 with A = C^-1. Tensors are written as arrays of six
+  // components, see SymmetricPairs.
   ConstitutiveResponse
   InvariantEnergy::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {
@@ -29,6 +30,8 @@ namespace Signorini
     if (wanted == ResponseOrder::stress)
       return state;
 
+    // First the outer products of the derivatives of the invariants, weighted with the second
+    // derivatives of W; then the second derivatives of I2 and J.
     const std::array<Pairs::Values, 3> by = {
       {Pairs::of(of_C[0]), Pairs::of(of_C[1]), Pairs::of(of_C[2])}};
     std::array<Pairs::Values, 3> weighted{};

@@ -21,6 +21,7 @@ namespace Signorini
   {
     using Values = std::vector<double>;
 
+    /// @return a law that needs lambda and mu only.
     template <typename Law>
     std::shared_ptr<const Hyperelastic>
     of_moduli(const Material &material)
@@ -28,6 +29,7 @@ namespace Signorini
       return std::make_shared<Law>(material.lambda(), material.mu());
     }
 
+    /// Throws std::domain_error unless there are n coefficients.
     void
     check_number(const Values &c, const unsigned int n)
     {
@@ -35,6 +37,7 @@ namespace Signorini
         throw std::domain_error("there must be " + std::to_string(n));
     }
 
+    /// @return the pairs (mu, alpha) of the coefficients. Throws std::domain_error.
     std::vector<std::pair<double, double>>
     ogden_terms(const Values &c)
     {
@@ -50,6 +53,7 @@ namespace Signorini
       return terms;
     }
 
+    /// @return the shear modulus in the reference configuration, half of the sum of mu alpha.
     double
     shear_of_ogden(const Values &c)
     {
@@ -130,6 +134,8 @@ namespace Signorini
 
 
 
+  // Coefficients determine the shear modulus; Young's modulus follows from it and Poisson's ratio,
+  // and may be given in addition only if it agrees.
   void
   Material::declare(Section &section)
   {

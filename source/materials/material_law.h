@@ -8,22 +8,25 @@
 
 namespace Signorini
 {
-  /// A material of large deformation, as the scene file calls it.
+  /// A constitutive law for finite strain under its name in scene files.
   struct MaterialLaw
   {
     std::string name, about;
     /// Description of the entry `Coefficients`; empty if the law has none.
     std::string coefficients;
-    /// mu at rest by the coefficients. Throws std::domain_error where they are none.
+    /// The shear modulus in the reference configuration as function of the coefficients; it throws
+    /// std::domain_error where they are not valid.
     std::function<double(const std::vector<double> &)> shear_modulus;
-    /// @param material whose moduli are those of the coefficients
+    /// Creates the law for a material, whose moduli agree with its coefficients.
     std::function<std::shared_ptr<const Hyperelastic>(const Material &material)> make;
   };
 
+  /// @return all laws: the registry, to which new laws are added.
   const std::vector<MaterialLaw> &
   material_laws();
 
-  /// The material law of a material.
+  /// @return the law of a material.
+  /// @param material whose law is one of material_laws()
   const MaterialLaw &
   law_of(const Material &material);
 } // namespace Signorini

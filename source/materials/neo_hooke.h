@@ -5,7 +5,8 @@
 
 namespace Signorini
 {
-  /// W = mu/2 (I1 - 3) - mu ln J + lambda/2 (ln J)^2 (Bonet and Wood).
+  /// The neo-Hookean law, (6.8) of doc/theory: W = mu/2 (I1 - 3) - mu ln J + lambda/2 (ln J)^2
+  /// (Bonet and Wood).
   class NeoHooke : public InvariantEnergy
   {
   public:

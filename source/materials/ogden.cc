@@ -12,6 +12,8 @@ namespace Signorini
 
 
 
+  // Each term is a sum over the three stretches, with l^alpha = exp(alpha e); -mu ln J is -mu times
+  // the sum of the e.
   StretchEnergy::Derivatives
   Ogden::derivatives(const std::array<double, 3> &e) const
   {

@@ -8,12 +8,13 @@
 
 namespace Signorini
 {
-  /// W = sum over terms of mu_p/alpha_p (l1^alpha_p + l2^alpha_p + l3^alpha_p - 3) - mu_p ln J,
-  /// plus lambda/2 (ln J)^2; mu = sum mu_p alpha_p/2.
+  /// Ogden's law, (6.8) of doc/theory: W = sum over terms of mu_p/alpha_p (l1^alpha_p + l2^alpha_p
+  /// + l3^alpha_p - 3) - mu_p ln J, plus lambda/2 (ln J)^2; mu = sum mu_p alpha_p/2.
   class Ogden : public StretchEnergy
   {
   public:
-    /// @param terms (mu_p, alpha_p)
+    /// @param lambda Lame's first modulus [stress]
+    /// @param terms pairs (mu_p [stress], alpha_p)
     Ogden(double lambda, std::vector<std::pair<double, double>> terms);
 
   protected:

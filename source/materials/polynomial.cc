@@ -24,7 +24,7 @@ namespace Signorini
   {
     const double scale1 = std::pow(J, -2. / 3), scale2 = scale1 * scale1, i = scale1 * I1 - 3;
     const double d1 = c10 + i * (2 * c20 + 3 * c30 * i), d2 = 2 * c20 + 6 * c30 * i;
-    // Of i1 and i2, by J.
+    // Derivatives of i1 (i_) and i2 (j_) by J, and mixed ones by I1 or I2.
     const double i_J = -2. / 3 * scale1 * I1 / J, i_1J = -2. / 3 * scale1 / J,
                  i_JJ = 10. / 9 * scale1 * I1 / (J * J);
     const double j_J = -4. / 3 * scale2 * I2 / J, j_2J = -4. / 3 * scale2 / J,

@@ -5,8 +5,9 @@
 
 namespace Signorini
 {
-  /// Linear elasticity of the Green strain E = (C - I)/2: W = lambda/2 (tr E)^2 + mu E:E. It gives
-  /// way in strong compression: along one axis from a stretch of 1/sqrt(3) on.
+  /// Saint Venant-Kirchhoff's law, linear elasticity of the Green strain E = (C - I)/2: W =
+  /// lambda/2 (tr E)^2 + mu E:E, (6.8) of doc/theory. Its tangent is indefinite in strong
+  /// compression: along one axis from a stretch of 1/sqrt(3) on.
   class SaintVenantKirchhoff : public Hyperelastic
   {
   public:

@@ -10,15 +10,17 @@ namespace Signorini
 {
   using namespace dealii;
 
-  // With c = l^2 and s = W'/c, the principal values of S: along two axes
-  // 2 ds_a/dc_b = W''_ab/(c_a c_b) - 2 delta_ab W'_a/c_a^2, and between them
-  // 2 (s_b - s_a)/(c_b - c_a), whose limit for equal ones is half the difference of the former
-  // (Simo and Taylor, Comput. Methods Appl. Mech. Engrg. 85 (1991) 273).
+  // Equation (6.7) of doc/theory. With c = l^2 and s = W'/c, the principal values of S: along two
+  // axes 2 ds_a/dc_b = W''_ab/(c_a c_b) - 2 delta_ab W'_a/c_a^2, and between them 2 (s_b -
+  // s_a)/(c_b - c_a), whose limit for equal stretches is half the difference of the former (Simo
+  // and Taylor 1991, see doc/theory).
   ConstitutiveResponse
   StretchEnergy::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {
     using Pairs = SymmetricPairs;
-    // Below, the quotient has lost as many digits as the limit has wrong, which is of second order.
+    // The relative difference of squared stretches below which the limit is used. There the
+    // quotient has lost as many digits by cancellation as the limit, which is of second order, is
+    // wrong.
     constexpr double nearly_equal = 1e-5;
     const auto       axes = eigenvectors(C, SymmetricTensorEigenvectorMethod::ql_implicit_shifts);
     std::array<double, 3>       c{}, logs{}, s{};

@@ -7,14 +7,18 @@
 
 namespace Signorini
 {
-  /// W of the principal stretches l1, l2, l3, by their logarithms e = ln l; equal ones included.
+  /// An energy that is a symmetric function of the principal stretches l1, l2, l3, written with
+  /// their logarithms e = ln l; stretches may be equal. See (6.7) of doc/theory for stress and
+  /// tangent.
   class StretchEnergy : public Hyperelastic
   {
   public:
+    /// W with its first and second derivatives by e1, e2, e3.
     struct Derivatives
     {
-      double                               value = 0;
-      std::array<double, 3>                first{};  ///< dW/de: the principal Kirchhoff stresses
+      double value = 0;
+      /// dW/de, the principal Kirchhoff stresses.
+      std::array<double, 3>                first{};
       std::array<std::array<double, 3>, 3> second{}; ///< symmetric
     };
 
@@ -22,6 +26,7 @@ namespace Signorini
     at(const dealii::SymmetricTensor<2, 3> &C, ResponseOrder wanted) const override;
 
   protected:
+    /// @return W and its derivatives, which each law defines.
     virtual Derivatives
     derivatives(const std::array<double, 3> &log_stretches) const = 0;
   };

@@ -7,8 +7,9 @@
 
 namespace Signorini
 {
-  /// A symmetric tensor in space as an array: sums of products of such make tensors of fourth order
-  /// by plain loops, without those of dealii::outer_product() over all four indices.
+  /// A symmetric 3 x 3 tensor as an array of its six different components. Sums of products of such
+  /// arrays form tensors of fourth order by simple loops, which is faster than
+  /// dealii::outer_product() over all four indices.
   struct SymmetricPairs
   {
     static constexpr unsigned int                size   = 6;
@@ -17,6 +18,7 @@ namespace Signorini
 
     using Values = std::array<double, size>;
 
+    /// @return the components of a tensor.
     static Values
     of(const dealii::SymmetricTensor<2, 3> &A)
     {
@@ -26,7 +28,8 @@ namespace Signorini
       return result;
     }
 
-    /// The components of T with pair p first: deal.II has pairs in this order, too.
+    /// @return a pointer to the six components of T whose first pair is p; deal.II stores pairs in
+    /// the same order.
     static double *
     row_of(dealii::SymmetricTensor<4, 3> &T, const unsigned int p)
     {

@@ -19,7 +19,7 @@ namespace Signorini
   {
     const double scale = std::pow(J, -2. / 3), i = scale * I1 - 3;
     const double d1 = c10 + i * (2 * c20 + 3 * c30 * i), d2 = 2 * c20 + 6 * c30 * i;
-    // Of i: by I1 and by J.
+    // Derivatives of i = J^(-2/3) I1 - 3 by I1 and J.
     const double i_1 = scale, i_J = -2. / 3 * scale * I1 / J, i_1J = -2. / 3 * scale / J,
                  i_JJ = 10. / 9 * scale * I1 / (J * J);
     Derivatives  w;

@@ -5,8 +5,9 @@
 
 namespace Signorini
 {
-  /// W = c10 i + c20 i^2 + c30 i^3 + K/2 (ln J)^2 with i = J^(-2/3) I1 - 3, which does not know
-  /// the volume; mu = 2 c10. The volume's part is the one that mixed bodies have.
+  /// Yeoh's law, (6.8) of doc/theory: W = c10 i + c20 i^2 + c30 i^3 + K/2 (ln J)^2 with i =
+  /// J^(-2/3) I1 - 3, which does not depend on the change of volume; mu = 2 c10. The volumetric
+  /// energy has the same form as in the displacement-pressure formulation.
   class Yeoh : public InvariantEnergy
   {
   public:

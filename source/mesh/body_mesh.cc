@@ -4,6 +4,7 @@
 
 namespace Signorini
 {
+  // The generator that the key Mesh names declares its own keys in the same section.
   template <int dim>
   void
   BodyMesh<dim>::declare(Section &section)

@@ -15,15 +15,19 @@ namespace Signorini
 {
   using namespace dealii;
 
+  /// The vertices, lines and quadrilaterals that hang on larger cells, by their indices in the
+  /// triangulation.
   template <int dim>
   struct CellMapping<dim>::Hanging
   {
+    /// Find them among the locally owned and ghost cells.
     explicit Hanging(const Triangulation<dim> &triangulation);
 
-    /// A node of a cell of some degree, in the order of FE_Q.
+    /// @return whether a node of a cell, in the order of FE_Q of some degree, hangs.
     bool
     has(const Cell &cell, unsigned int node, unsigned int degree) const;
 
+    /// @return whether any node of a cell hangs.
     bool
     has_any(const Cell &cell, unsigned int degree) const;
 
@@ -32,7 +36,7 @@ namespace Signorini
 
 
 
-  // Of what belongs to an active cell, halves hang.
+  // If a line or face of an active cell is divided, its midpoint and its parts hang on this cell.
   template <int dim>
   CellMapping<dim>::Hanging::Hanging(const Triangulation<dim> &triangulation)
     : vertices(triangulation.n_vertices(), false)
@@ -112,6 +116,9 @@ namespace Signorini
 
 
 
+  // Move hanging nodes of locally owned cells from their manifolds onto the edge or face of the
+  // larger cell, and send the result to the ranks for which these are ghosts. Cells without such
+  // nodes, or where the manifold is straight, are not stored.
   template <int dim>
   void
   CellMapping<dim>::place_hanging_nodes(const Triangulation<dim> &triangulation)
@@ -128,6 +135,7 @@ namespace Signorini
       now->places[cell->active_cell_index()] = now->points.size();
       now->points.push_back(points);
     };
+    // A cell is inverted if the determinant of its mapping is not positive at a quadrature point.
     const auto folds = [&](const Nodes &points) {
       for (const Point<dim> &unit : rule.get_points())
         {
@@ -162,7 +170,7 @@ namespace Signorini
         "Degree = 2 for it");
     if (!Utilities::MPI::logical_or(!now->points.empty(), comm))
       return;
-    // A ghost may hang on a cell that only its owner knows.
+    // A ghost may hang on a cell that only its owner has.
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
       GridTools::exchange_cell_data_to_ghosts<Nodes, Triangulation<dim>>(
         triangulation,
@@ -193,6 +201,8 @@ namespace Signorini
 
 
 
+  // Nodes that hang are evaluated from the mapping of the parent, whose own nodes may hang:
+  // recursion ends at the coarse cells.
   template <int dim>
   typename CellMapping<dim>::Nodes
   CellMapping<dim>::nodes(const Cell &cell, const Hanging &hanging) const

@@ -9,22 +9,25 @@
 
 namespace Signorini
 {
-  /// Cells of a body of degree 1 are multilinear, whatever the manifolds of their boundaries; those
-  /// of the others follow them. One object for all bodies of a mesh, whose cells know them by their
-  /// material ids.
+  /// The mapping of the cells of all bodies of a mesh, which are identified by the material ids of
+  /// their cells. Cells of bodies of degree 1 are multilinear, whatever the manifolds of their
+  /// boundaries; those of other bodies follow the manifolds.
   ///
-  /// A displacement of degree k has the rigid motions of a cell of degree k at most: on cells of
-  /// higher degree, rotations cause strains of the order of the cell's size. Nor has it those of a
-  /// cell that hangs on a larger one with nodes on the manifold: it is constrained there to what
-  /// the shape functions of the larger one make of its edge or face, so that is where these nodes
-  /// are. Then no space is left between the cells, nor do they overlap.
+  /// A displacement of degree k contains the rigid-body modes of a cell of degree k at most: on
+  /// cells of higher degree, rotations would cause strains of the order of the size of the cell. It
+  /// does not contain those of a cell either that hangs on a larger one with nodes on the manifold:
+  /// there it is constrained to the shape functions of the larger cell on its edge or face. Hanging
+  /// nodes are therefore placed on this edge or face, so that neighbouring cells neither overlap
+  /// nor leave gaps.
   template <int dim>
   class CellMapping : public dealii::MappingQ<dim>
   {
   public:
-    /// The mapping of a mesh as it is refined now. Throws SceneError if cells are inverted.
-    /// Collective.
-    /// @param degree the largest degree; bodies of other degrees than this have degree 1
+    /// Create the mapping of a mesh as it is refined at present. Throws SceneError if cells are
+    /// inverted. Collective.
+    /// @param degree the largest degree; bodies of other degrees have degree 1
+    /// @param degree_of_material the degree of the body of each material id
+    /// @param triangulation the mesh
     CellMapping(unsigned int                      degree,
                 std::vector<unsigned int>         degree_of_material,
                 const dealii::Triangulation<dim> &triangulation);
@@ -40,7 +43,8 @@ namespace Signorini
     compute_mapping_support_points(
       const typename dealii::Triangulation<dim>::cell_iterator &cell) const override;
 
-    /// Cells whose vertices are a translation of those of others may have other hanging nodes.
+    /// Cells whose vertices are translations of those of others may have other hanging nodes: no
+    /// similarity is assumed where nodes were moved.
     dealii::CellSimilarity::Similarity
     fill_fe_values(
       const typename dealii::Triangulation<dim>::cell_iterator          &cell,
@@ -56,32 +60,38 @@ namespace Signorini
     /// The hanging vertices, lines and quadrilaterals, by their numbers in the triangulation.
     struct Hanging;
 
+    /// Compute `moved`. Collective.
     void
     place_hanging_nodes(const dealii::Triangulation<dim> &triangulation);
 
-    /// The nodes of a cell on the manifolds, as many as the degree of its body has.
+    /// @return the nodes of a cell on the manifolds, as many as the degree of its body requires.
     Nodes
     nodes_on_manifolds(const Cell &cell) const;
 
-    /// The nodes of a cell, with hanging ones on the edge or face of the larger cell, which is all
-    /// that both cells share.
+    /// @return the nodes of a cell, with hanging ones on the edge or face that it shares with the
+    /// larger cell.
     Nodes
     nodes(const Cell &cell, const Hanging &hanging) const;
 
-    /// The support points of the mapping from the nodes of the body's degree.
+    /// @return the support points of the mapping, interpolated from the nodes of the degree of the
+    /// body.
     Nodes
     support_points(Nodes nodes) const;
 
     const std::vector<unsigned int>          degree_of_material;
     std::shared_ptr<const dealii::FE_Q<dim>> shapes;
-    const Nodes                              unit_nodes; ///< in the order of the support points
+    /// Reference coordinates of the support points, in their order.
+    const Nodes unit_nodes;
 
-    /// Support points of those active cells of which some hang off the manifold.
+    /// The support points of the active cells of which some are not on the manifold.
     struct Moved
     {
-      std::vector<unsigned int> places; ///< in the following, by active cell; empty: nothing there
+      /// For each active cell the index into `points`, or invalid; empty if there are no such
+      /// cells.
+      std::vector<unsigned int> places;
       std::vector<Nodes>        points;
     };
-    std::shared_ptr<const Moved> moved; ///< clones have the same
+    /// Shared by clones.
+    std::shared_ptr<const Moved> moved;
   };
 } // namespace Signorini

@@ -10,6 +10,8 @@
 
 namespace Signorini
 {
+  /// @return a hash of the id of a cell (FNV-1a), the same on all ranks.
+  /// @param id of a cell
   inline std::uint64_t
   hash_of(const dealii::CellId &id)
   {
@@ -21,21 +23,24 @@ namespace Signorini
     return hash ^ (hash >> 29);
   }
 
-  /// False: the cell is one of the coarse mesh.
+  /// @return whether a cell has a parent, i.e. is not a coarse cell.
+  /// @param id of the cell
   inline bool
   has_parent(const dealii::CellId &id)
   {
     return id.get_child_indices().size() > 0;
   }
 
-  /// The number that the cell has among the children of its parent, which must be there.
+  /// @return the number of a cell among the children of its parent.
+  /// @param id of a cell that has a parent
   inline unsigned int
   number_of_child(const dealii::CellId &id)
   {
     return *(id.get_child_indices().end() - 1);
   }
 
-  /// Of a cell that has one.
+  /// @return the id of the parent.
+  /// @param id of a cell that has a parent
   inline dealii::CellId
   parent_of(const dealii::CellId &id)
   {
@@ -45,7 +50,9 @@ namespace Signorini
             &*children.begin()};
   }
 
-  /// The child with that number, whether or not it is there.
+  /// @return the id of a child, whether or not it exists.
+  /// @param id of the parent
+  /// @param child its number
   inline dealii::CellId
   child_of(const dealii::CellId &id, const unsigned int child)
   {
@@ -55,8 +62,13 @@ namespace Signorini
     return {id.get_coarse_cell_id(), static_cast<unsigned int>(children.size()), children.data()};
   }
 
-  /// What any rank knows of the cells, or of other things with names, that this rank asks for: all
-  /// tell it to the rank that hash_of() the name says, and that one is asked. Collective.
+  /// Look up values by cell ids (or other keys) that any rank may have. All ranks send their
+  /// entries to the rank that hash_of() assigns to the key, which answers requests: a distributed
+  /// directory with sparse communication. Collective.
+  /// @param known entries of this rank
+  /// @param wanted keys that this rank looks up
+  /// @param comm the ranks
+  /// @return the entries of those keys that any rank has
   template <typename Name, typename T>
   std::map<Name, T>
   gather_values(const std::map<Name, T> &known,

@@ -41,6 +41,8 @@ namespace Signorini
 
 
 
+  // The coordinates are transformed from level to level to the coarse cell, where the values are
+  // multilinear.
   template <int dim>
   double
   CoarseField<dim>::value(const CellId &cell, Point<dim> p) const

@@ -10,29 +10,35 @@
 
 namespace Signorini
 {
-  /// A scalar on the coarse cells of a mesh, given at their vertices and multilinear between: what
-  /// a mesh file says of its nodes. Refined cells have what the coarse ones say. Bodies without one
-  /// take no part.
+  /// A scalar field that is given at the vertices of coarse cells and multilinear between them,
+  /// such as nodal values of a mesh file. On refined cells it is that of the coarse cell. Bodies
+  /// may have no field.
   template <int dim>
   class CoarseField
   {
   public:
-    /// The next cells of the mesh, those of a body. @param values at the vertices that the cells
-    /// refer to; empty: none
+    /// Append the coarse cells of the next body.
+    /// @param cells of the body
+    /// @param values at the vertices to which the cells refer; empty: the body has no field
     void
     append(const std::vector<dealii::CellData<dim>> &cells, const std::vector<double> &values);
 
-    /// The ids by which the mesh knows its coarse cells; without, their order.
+    /// Assign ids to the coarse cells; before, their order counts.
+    /// @param ids one for each coarse cell that has been appended
     void
     number(const std::vector<dealii::types::coarse_cell_id> &ids);
 
-    /// At a point of the reference cell; not a number if the cell's body has no field.
+    /// @return the value at a point of a cell; NaN if its body has no field.
+    /// @param cell id of the cell, on any level
+    /// @param unit_point coordinates in its reference cell
     double
     value(const dealii::CellId &cell, dealii::Point<dim> unit_point) const;
 
   private:
     using Corners = std::array<double, 1 << dim>;
-    std::vector<std::pair<unsigned int, std::vector<Corners>>> blocks; ///< first cell, of each cell
+    /// For each body with a field: the index of its first cell, and the values at the corners of
+    /// its cells.
+    std::vector<std::pair<unsigned int, std::vector<Corners>>> blocks;
     unsigned int                                               n_cells = 0;
     std::vector<unsigned int>                                  index_of_id;
   };

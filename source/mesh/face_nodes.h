@@ -7,7 +7,9 @@
 
 namespace Signorini
 {
-  /// The nodes on a face of a cell, as numbers in its scalar element.
+  /// @return the nodes on a face of a cell, as numbers of the scalar element.
+  /// @param scalar the element
+  /// @param face number of the face
   template <int dim>
   std::vector<unsigned int>
   nodes_of_face(const dealii::FiniteElement<dim> &scalar, const unsigned int face)

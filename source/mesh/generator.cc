@@ -17,6 +17,7 @@ namespace Signorini
 
   namespace
   {
+    /// A function that creates a generator.
     template <int dim>
     using Maker = std::unique_ptr<MeshGenerator<dim>> (*)();
 
@@ -30,6 +31,7 @@ namespace Signorini
     template <int dim>
     using Registry = std::vector<std::pair<std::string, Maker<dim>>>;
 
+    /// @return the registry: names of generators with their makers.
     template <int dim>
     Registry<dim>
     registry();

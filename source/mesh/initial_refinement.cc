@@ -9,7 +9,7 @@
 #include <cmath>
 #include <sstream>
 
-// Of class Mesh, the refinement before the first solution.
+// Part of class Mesh: the refinement before the first solution.
 
 namespace Signorini
 {
@@ -17,8 +17,8 @@ namespace Signorini
 
   namespace
   {
-    /// @param n_refined cells of this rank that are to be halved, at least, in what is still to
-    /// come
+    /// Throw SceneError if the refinement that is still to come will exceed the memory. Collective.
+    /// @param n_refined lower bound of the number of refinements of cells of this rank
     template <int dim>
     void
     check_memory(const Triangulation<dim> &triangulation, const double n_refined)
@@ -37,7 +37,7 @@ namespace Signorini
       throw SceneError(text.str());
     }
 
-    /// Trees of cells end.
+    /// Throw SceneError if a cell would be finer than p4est allows. Collective.
     template <int dim>
     void
     check_levels(const Triangulation<dim> &triangulation, const int finest)
@@ -52,9 +52,12 @@ namespace Signorini
           "Contact refinements, Refinement regions/.../Levels or Bodies/.../Refinements");
     }
 
-    /// @param growth of the number of cells that are wanted, at least, from one time to the next,
-    /// by cell
-    /// @param wanted whether a cell, and how many times are left, with this one
+    /// Refine certain cells repeatedly. Collective.
+    /// @param times largest number of refinements
+    /// @param growth factor, for a cell, by which the number of wanted cells grows at least with
+    /// each refinement
+    /// @param wanted function of a cell and the number of refinements that are left, including this
+    /// one
     template <int dim, typename Growth, typename Wanted>
     void
     refine_where(Triangulation<dim> &triangulation,
@@ -83,7 +86,7 @@ namespace Signorini
         }
     }
 
-    /// Of the vertices and the centre of a cell, how many are in a zone?
+    /// @return how many of the vertices and the centre of a cell are in a refinement region.
     template <int dim>
     unsigned int
     places_within(const RefinementRegion<dim>                             &region,
@@ -107,8 +110,8 @@ namespace Signorini
     const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const
   {
     constexpr double children = GeometryInfo<dim>::max_children_per_cell;
-    // All bodies together, those first that need it more often: each time costs as much as there
-    // are cells in all of them.
+    // All bodies are refined together, beginning with those that need more refinements: each pass
+    // costs as much as there are cells in all of them.
     std::vector<unsigned int> times;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       times.push_back(settings.refinements + my_least_levels[b] + bodies[b].second.refinements);
@@ -138,7 +141,8 @@ namespace Signorini
       refine_where(
         triangulation,
         region.times,
-        // All children of a cell that lies within are wanted next, at least one of others.
+        // All children of a cell inside the region will be refined again, of other cells at least
+        // one.
         [&](const auto &cell) {
           return places_within<dim>(region, cell) > cell->n_vertices() ? children : 1.;
         },

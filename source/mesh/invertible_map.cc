@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return whether all components are finite numbers.
     template <int dim>
     bool
     has_finite_components(const Tensor<1, dim> &v)
@@ -22,6 +23,7 @@ namespace Signorini
 
 
 
+    /// @return the coordinates of a point for messages.
     template <int dim>
     std::string
     text(const Point<dim> &p)
@@ -68,6 +70,8 @@ namespace Signorini
 
 
 
+  // The affine map through the images of a corner of the bounding box and its edges is compared
+  // with F at the points and at many others.
   template <int dim>
   bool
   InvertibleMap<dim>::is_affine() const
@@ -96,7 +100,8 @@ namespace Signorini
       return (value(X) - shift - linear * (X - low)).norm() <=
              rounding * span + of_numbers * x_size;
     };
-    // Spread evenly, but on no line of a mesh: multiples of irrational numbers.
+    // A sequence of points that is equidistributed but on no regular grid: multiples of irrational
+    // numbers modulo one (Weyl).
     const double irrational[3] = {std::sqrt(2.), std::sqrt(3.), std::sqrt(5.)};
     for (unsigned int i = 1; i <= n_between; ++i)
       {
@@ -117,14 +122,15 @@ namespace Signorini
   Tensor<2, dim>
   InvertibleMap<dim>::gradient(const Point<dim> &X) const
   {
-    // Truncation of order h^2 against rounding of order 1e-16/h; Newton needs no more.
+    // Truncation of order h^2 is balanced against rounding of order 1e-16/h; Newton's method needs
+    // no more.
     const double   h = 1e-5 * X_size;
     Tensor<2, dim> gradient;
     for (unsigned int d = 0; d < dim; ++d)
       {
         const Tensor<1, dim> step  = h * Point<dim>::unit_vector(d);
         Point<dim>           ahead = X + step, behind = X - step;
-        // At the rim of where the formulas have a value, one side must do.
+        // At the boundary of the domain of the formulas one-sided differences are used.
         if (!has_finite_components(value(ahead)))
           ahead = X;
         if (!has_finite_components(value(behind)))
@@ -142,7 +148,8 @@ namespace Signorini
   const typename InvertibleMap<dim>::Pair &
   InvertibleMap<dim>::nearest(const Point<dim> &x) const
   {
-    // Sweep to both sides until the first coordinate alone is too far away.
+    // The pairs are sorted by the first coordinate of their images: search in both directions until
+    // this coordinate alone is farther than the closest image.
     const auto start =
       std::lower_bound(pairs.begin(), pairs.end(), x[0], [](const Pair &p, double x0) {
         return p.image[0] < x0;
@@ -177,7 +184,7 @@ namespace Signorini
         if (!(std::abs(determinant(slope)) > 0))
           break;
         const Tensor<1, dim> direction = invert(slope) * residual;
-        // Shorten the step until it helps; at the level of rounding, none does.
+        // The step is halved until the residual decreases; at the level of rounding none does.
         double         factor = 1;
         Tensor<1, dim> next   = x - value(X + direction);
         while (!(next.norm() < residual.norm()) && factor > 1e-3)
@@ -199,8 +206,8 @@ namespace Signorini
   Point<dim>
   InvertibleMap<dim>::inverse(const Point<dim> &x) const
   {
-    // The map may be singular at a point of the rim, as where a corner becomes part of a circle:
-    // then from a bit inside.
+    // The map may be singular at a point of the boundary, for example where a corner is mapped to a
+    // point of a circle: then the iteration starts slightly inside.
     const Point<dim> &start = nearest(x).X;
     for (const double share : {0., 0.02, 0.1, 0.3})
       if (const auto X = solve(x, start + share * (middle - start)))

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-// Of class Mesh, what makes one coarse mesh of those of the bodies.
+// Part of class Mesh: merging the coarse meshes of all bodies into one.
 
 namespace Signorini
 {
@@ -15,9 +15,11 @@ namespace Signorini
   namespace
   {
     // A fully distributed triangulation ends at its ghost cells: where their neighbours are
-    // missing, it has false boundary faces with id 0. None of ours may be taken for them.
+    // missing, it has artificial boundary faces with id 0, which must not be confused with ids of
+    // the scene.
     constexpr types::boundary_id first_boundary_id = 1;
 
+    /// Add offsets to the vertices and manifold ids of cells or faces.
     template <typename Object>
     void
     shift(std::vector<Object>     &objects,
@@ -33,6 +35,7 @@ namespace Signorini
         }
     }
 
+    /// Add an offset to the boundary ids of faces.
     template <typename Object>
     void
     shift_boundary(std::vector<Object> &objects, const types::boundary_id first)
@@ -42,6 +45,7 @@ namespace Signorini
           object.boundary_id += first;
     }
 
+    /// Append a list to another one.
     template <typename T>
     void
     append(std::vector<T> &to, const std::vector<T> &from)
@@ -49,6 +53,7 @@ namespace Signorini
       to.insert(to.end(), from.begin(), from.end());
     }
 
+    /// @return the diagonal of the bounding box of some points.
     template <int dim>
     double
     diagonal_of(const std::vector<Point<dim>> &points)
@@ -60,7 +65,8 @@ namespace Signorini
 
 
 
-  /// Those of the next body.
+  /// Assign the next material ids to the cells of a body: one for the body itself, and one for each
+  /// of its sets of cells with a material of their own, of which later ones have priority.
   template <int dim>
   void
   Mesh<dim>::number_materials(std::vector<CellData<dim>> &cells, const BodyMesh<dim> &body)
@@ -79,6 +85,8 @@ namespace Signorini
 
 
 
+  // Body by body: generate, transform, and append with offsets of vertices, manifold ids, boundary
+  // ids and material ids. Bodies share no vertices.
   template <int dim>
   CoarseMesh<dim>
   Mesh<dim>::merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
@@ -138,6 +146,7 @@ namespace Signorini
 
 
 
+  // Pieces of one body are named by their number and centre if there are several.
   template <int dim>
   void
   Mesh<dim>::find_pieces(const CoarseMesh<dim> &coarse)

@@ -84,8 +84,9 @@ namespace Signorini
 
   namespace
   {
-    /// Cells count once, and once more per slave face times its weight. A cell that is being
-    /// refined is asked for each of its children, half of which are at a face of it.
+    /// Define the weights of cells for the load balance: one for each cell, and in addition the
+    /// given weight for each slave face. The weight of a cell that is being refined is requested
+    /// for each of its children, of which half are at a given face.
     template <int dim>
     void
     weigh(Triangulation<dim> &triangulation,
@@ -108,6 +109,7 @@ namespace Signorini
 
 
 
+  // The mapping depends on the hanging nodes, and is created anew after each refinement.
   template <int dim>
   void
   Mesh<dim>::map_cells()
@@ -133,6 +135,8 @@ namespace Signorini
 
 
 
+  // With p4est each rank refines its own part of the mesh. With METIS each rank has the whole mesh
+  // until it is partitioned, and it cannot be refined later.
   template <int dim>
   Mesh<dim>::Mesh(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
                   const MeshSettings<dim>                                  &settings,
@@ -235,6 +239,8 @@ namespace Signorini
 
 
 
+  // Sets of nodes are those of the generators; indices of coarse cells become ids of the
+  // triangulation.
   template <int dim>
   NodeSet<dim>
   Mesh<dim>::node_set(const std::string &name) const
@@ -300,6 +306,7 @@ namespace Signorini
 
 
 
+  // Throw SceneError if slave and master of a pair share faces without being the same boundary.
   template <int dim>
   void
   Mesh<dim>::check_slaves_and_masters(

@@ -15,28 +15,33 @@
 
 namespace Signorini
 {
-  /// Boundary ids: those of the faces that have a name.
+  /// The boundary ids of the faces that have a name.
   using BoundaryIds = std::set<dealii::types::boundary_id>;
 
-  /// Cells of one body that are connected with each other, and with no others.
+  /// A connected component of a body.
   template <int dim>
   struct BodyPiece
   {
-    unsigned int             body;
-    std::string              name; ///< of the body, or "BODY, piece 2 of 3 about (x y)"
+    unsigned int body;
+    /// Name of the body, or "BODY, piece 2 of 3 about (x y)".
+    std::string              name;
     dealii::BoundingBox<dim> extent;
   };
 
-  /// The bodies' meshes, apart from each other, in one distributed triangulation. Material ids
-  /// count their materials, body by body. Boundary ids count from 1; a boundary has one or more of
+  /// The meshes of all bodies, without common nodes, in one distributed triangulation. Material ids
+  /// number the materials, body by body. Boundary ids begin with 1; a boundary has one or more of
   /// them, and may share some with others.
   template <int dim>
   class Mesh
   {
   public:
-    /// @param bodies mesh of each body, and its name
+    /// Create and refine the mesh. Throws SceneError if bodies cannot be meshed, or names do not
+    /// exist. Collective.
+    /// @param bodies name and mesh of each body
+    /// @param settings of the mesh
     /// @param contact_surfaces boundaries ("body.boundary") that take part in contact, in pairs
-    /// (slave, master); the master is empty for an obstacle.
+    /// (slave, master); the master is empty for an obstacle
+    /// @param comm the ranks among which the mesh is distributed
     Mesh(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
          const MeshSettings<dim>                                  &settings,
          const std::vector<std::pair<std::string, std::string>>   &contact_surfaces,
@@ -44,85 +49,93 @@ namespace Signorini
 
     Mesh(Mesh &&) = delete; // the triangulation calls map_cells()
 
+    /// @return the triangulation.
     const dealii::parallel::DistributedTriangulationBase<dim> &
     triangulation() const
     {
       return *tria;
     }
 
-    /// Needed to refine; the distribution METIS has a fixed mesh and refuses.
+    /// @return the triangulation for refinement, which METIS does not allow.
     dealii::parallel::DistributedTriangulationBase<dim> &
     triangulation()
     {
       return *tria;
     }
 
-    /// The level of the cells that the scene speaks of, by body: coarser ones are there for
-    /// multigrid.
+    /// @return the level of the cells that correspond to the coarse cells of the scene; coarser
+    /// cells exist for multigrid only.
+    /// @param body its index
     unsigned int
     least_level(const unsigned int body) const
     {
       return my_least_levels[body];
     }
 
-    /// The shape of the cells: no richer than the displacement of their body, so that rigid motions
-    /// are free of strain.
+    /// @return the shape of the cells, which is not of higher degree than the displacement of their
+    /// body, so that rigid-body motions cause no strain.
     const dealii::Mapping<dim> &
     mapping() const
     {
       return my_mappings[0];
     }
 
-    /// The displacement has other degrees now, one a body: the cells of curved ones follow, if the
-    /// scene does not say what they are. Collective.
+    /// Change the polynomial degrees of the displacement, which the cells of curved bodies follow
+    /// unless the scene prescribes their degree. Collective.
+    /// @param degrees one for each body
     void
     set_degrees(const std::vector<unsigned int> &degrees);
 
-    /// The true shape of the boundaries, up to a polynomial of degree surface_degree(): gaps,
-    /// normals and loads are those of the surfaces that generators and files describe, not of the
-    /// cells.
+    /// @return the true shape of the boundaries, up to a polynomial of degree surface_degree():
+    /// gaps, normals and loads are those of the surfaces that generators and files describe, not of
+    /// the cells.
     const dealii::Mapping<dim> &
     surface_mapping() const
     {
       return my_surface_mappings[0];
     }
 
+    /// @return surface_mapping() as a collection.
     const dealii::hp::MappingCollection<dim> &
     surface_mappings() const
     {
       return my_surface_mappings;
     }
 
+    /// @return the polynomial degree of surfaces.
     unsigned int
     surface_degree() const
     {
       return degree_of_surfaces;
     }
 
-    /// The same as a collection, for elements of different degree.
+    /// @return mapping() as a collection, for elements of different degree.
     const dealii::hp::MappingCollection<dim> &
     mappings() const
     {
       return my_mappings;
     }
 
+    /// @return the largest polynomial degree of cells.
     unsigned int
     geometry_degree() const
     {
       return degree;
     }
 
+    /// @return the ranks among which the mesh is distributed.
     MPI_Comm
     communicator() const
     {
       return tria->get_communicator();
     }
 
-    /// Bounding box of the vertices of one body, or of all, in the initial mesh.
+    /// @return the bounding box of the vertices of one body, or of all, in the initial mesh.
+    /// @param body its index; invalid: all bodies
     const dealii::BoundingBox<dim> &
     extent(unsigned int body = dealii::numbers::invalid_unsigned_int) const;
 
-    /// Diagonal of the bounding box of all bodies.
+    /// @return the diagonal [length] of the bounding box of all bodies.
     double
     size() const;
 
@@ -138,27 +151,32 @@ namespace Signorini
       return names[body];
     }
 
-    /// Material ids, of which a body has one and one more for each of BodyMesh::cells_of_materials.
+    /// @return the number of material ids: each body has one, and one more for each of
+    /// BodyMesh::cells_of_materials.
     unsigned int
     n_materials() const
     {
       return bodies_of_materials.size();
     }
 
+    /// @return the index of the body to which a material id belongs.
     unsigned int
     body_of_material(const unsigned int id) const
     {
       return bodies_of_materials[id];
     }
 
-    /// The material id of the cells of a body that are in no set with a material of its own.
+    /// @return the material id of the cells of a body that are in no set with a material of its
+    /// own.
+    /// @param body its index
     unsigned int
     own_material(const unsigned int body) const
     {
       return own_materials[body];
     }
 
-    /// The body that a cell, on any level, belongs to.
+    /// @return the index of the body of a cell.
+    /// @param cell on any level
     template <typename Cell>
     unsigned int
     body(const Cell &cell) const
@@ -166,39 +184,45 @@ namespace Signorini
       return bodies_of_materials[cell->material_id()];
     }
 
-    /// The body of the boundary "body.boundary"; none if there is no such boundary.
+    /// @return the index of the body of a boundary; none if there is no such boundary.
+    /// @param boundary "body.boundary"
     std::optional<unsigned int>
     body_of(const std::string &boundary) const;
 
-    /// Boundary ids of "body.boundary". Throws SceneError naming the boundaries there are.
+    /// @return the boundary ids of a boundary. Throws SceneError, listing the boundaries, if there
+    /// is none of that name.
+    /// @param name "body.boundary"
     const BoundaryIds &
     boundary_ids(const std::string &name) const;
 
-    /// The steepest facet of "body.boundary" that stands for a curved surface; height 0: none does.
+    /// @return the steepest facet that approximates a curved surface; height 0 if there is none.
+    /// @param boundary "body.boundary"
     FacetHeight
     facet_height(const std::string &boundary) const;
 
+    /// @return the names of all boundaries.
     const std::vector<std::string> &
     boundaries() const
     {
       return boundary_names;
     }
 
-    /// One more than the largest boundary id.
+    /// @return one more than the largest boundary id.
     unsigned int
     end_of_boundary_ids() const
     {
       return n_ids + 1;
     }
 
-    /// The connected pieces of all bodies, body by body.
+    /// @return the connected pieces of all bodies, body by body.
     const std::vector<BodyPiece<dim>> &
     pieces() const
     {
       return my_pieces;
     }
 
-    /// The number of the piece that a cell, coarse or not, belongs to.
+    /// @return the number of the piece of a cell.
+    /// @param cell on any level
     template <typename Cell>
     unsigned int
     piece(const Cell &cell) const
@@ -206,17 +230,19 @@ namespace Signorini
       return piece_of_coarse_cell[cell->id().get_coarse_cell_id()];
     }
 
-    /// The nodes of the set "body.SET", by their places in coarse cells. Throws SceneError naming
-    /// the sets there are.
+    /// @return the nodes of a set, with their positions in coarse cells. Throws SceneError, listing
+    /// the sets, if there is none of that name.
+    /// @param name "body.SET"
     NodeSet<dim>
     node_set(const std::string &name) const;
 
-    /// The coarse cells of "body", or of the set "body.SET", by their ids. Throws SceneError if
-    /// there is no such set.
+    /// @return the ids of the coarse cells of a body or set. Throws SceneError if there is none of
+    /// that name.
+    /// @param name "body" or "body.SET"
     std::set<dealii::types::coarse_cell_id>
     cell_set(const std::string &name) const;
 
-    /// The temperatures of the bodies whose generators provide them.
+    /// @return the temperatures of the bodies whose generators provide them.
     const CoarseField<dim> &
     temperature() const
     {
@@ -224,7 +250,9 @@ namespace Signorini
     }
 
   private:
-    /// @param merges_cells as far as generators can, see MeshGenerator::possible_merges()
+    /// @return the coarse meshes of all bodies in one.
+    /// @param merges_cells whether cells are merged as far as generators can, see
+    /// MeshGenerator::possible_merges()
     CoarseMesh<dim>
     merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies, bool merges_cells);
     void
@@ -238,49 +266,63 @@ namespace Signorini
       const MeshSettings<dim>                                  &settings,
       const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const;
 
+    /// Compute the bounding boxes. Collective.
     void
     measure();
 
-    /// Makes mapping() of degree_of_body, and of the cells that there are. Collective.
+    /// Create mapping() from degree_of_body and the present cells. Collective.
     void
     map_cells();
 
     void
     find_pieces(const CoarseMesh<dim> &coarse);
-    /// The ids by which cells know their coarse cells: p4est has an order of its own.
+    /// Determine the ids of coarse cells, since p4est reorders them.
     void
     number_coarse_cells(const dealii::Triangulation<dim> &triangulation);
     void
     check_slaves_and_masters(
       const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const;
 
-    std::vector<std::string>                               names, boundary_names;
-    std::vector<unsigned int>                              bodies_of_materials; ///< by their ids
-    std::vector<unsigned int>                              own_materials;       ///< of bodies
-    std::vector<BoundaryIds>                               ids_of_names;
-    std::vector<FacetHeight>                               facets;           ///< of boundaries
-    std::vector<unsigned int>                              body_of_boundary; ///< of names
-    unsigned int                                           n_ids = 0;
-    std::vector<BodyPiece<dim>>                            my_pieces;
-    std::vector<dealii::types::coarse_cell_id>             coarse_ids;           ///< of all bodies
-    std::vector<unsigned int>                              piece_of_coarse_cell; ///< by its id
-    std::vector<unsigned int>                              first_cells; ///< of the bodies, coarse
+    std::vector<std::string> names, boundary_names;
+    /// Index of the body, by material id.
+    std::vector<unsigned int> bodies_of_materials;
+    /// Material id of each body.
+    std::vector<unsigned int> own_materials;
+    std::vector<BoundaryIds>  ids_of_names;
+    /// Steepest facet of each boundary.
+    std::vector<FacetHeight> facets;
+    /// Index of the body of each boundary.
+    std::vector<unsigned int>   body_of_boundary;
+    unsigned int                n_ids = 0;
+    std::vector<BodyPiece<dim>> my_pieces;
+    /// Ids of the coarse cells of all bodies, in their original order.
+    std::vector<dealii::types::coarse_cell_id> coarse_ids;
+    /// Number of the piece, by coarse cell id.
+    std::vector<unsigned int> piece_of_coarse_cell;
+    /// Index of the first coarse cell of each body.
+    std::vector<unsigned int>                              first_cells;
     std::vector<std::shared_ptr<const MeshGenerator<dim>>> generators;
     CoarseField<dim>                                       my_temperature;
     unsigned int                                           degree = 1, degree_of_surfaces = 1;
-    std::vector<unsigned int>                              degree_of_body; ///< of its cells
-    std::vector<bool>                                      is_curved; ///< body, with cells to match
-    std::vector<unsigned int>                              my_least_levels;
-    std::vector<dealii::BoundingBox<dim>>                  extents; ///< of the bodies
-    dealii::BoundingBox<dim>                               whole_extent;
+    /// Degree of the cells of each body.
+    std::vector<unsigned int> degree_of_body;
+    /// Whether the cells of a body follow the degree of its displacement.
+    std::vector<bool>         is_curved;
+    std::vector<unsigned int> my_least_levels;
+    /// Bounding box of each body.
+    std::vector<dealii::BoundingBox<dim>> extents;
+    dealii::BoundingBox<dim>              whole_extent;
 
     std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
     dealii::hp::MappingCollection<dim> my_mappings, my_surface_mappings;
   };
 
-  /// Partition a serial triangulation by METIS into `n_parts`, so that cells that face each other
-  /// across a contact pair stay together where possible: such pairs are edges of the graph as
-  /// neighbours are.
+  /// Partition a serial triangulation by METIS, such that cells that face each other across a
+  /// contact pair stay together where possible: such pairs are edges of the graph in the same way
+  /// as neighbours are.
+  /// @param triangulation whose subdomain ids are set
+  /// @param n_parts number of parts
+  /// @param pairs boundary ids of slave and master of each contact pair
   template <int dim>
   void
   partition_by_metis(dealii::Triangulation<dim>                             &triangulation,

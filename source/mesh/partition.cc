@@ -13,7 +13,8 @@ namespace Signorini
 
   namespace
   {
-    /// Centers of the faces with that boundary id, with the index of the active cell behind each.
+    /// @return the centres of the faces with some boundary ids, each with the index of its active
+    /// cell.
     template <int dim>
     std::vector<std::pair<Point<dim>, unsigned int>>
     surface_cells(const Triangulation<dim> &triangulation, const BoundaryIds &ids)
@@ -29,6 +30,8 @@ namespace Signorini
 
 
 
+  // For each slave face the closest master face, by centres in an R-tree, becomes an edge of the
+  // graph.
   template <int dim>
   void
   partition_by_metis(Triangulation<dim>                                     &triangulation,

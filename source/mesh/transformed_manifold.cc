@@ -102,6 +102,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the lines or the quadrilaterals of the list.
     template <int structdim>
     std::vector<CellData<structdim>> &
     list(SubCellData &faces)
@@ -114,7 +115,7 @@ namespace Signorini
 
 
 
-    /// Put objects with the given vertices into the list if they are not there yet.
+    /// Appends lines or faces that are not in the list yet.
     template <int structdim>
     class Completion
     {
@@ -126,6 +127,7 @@ namespace Signorini
           known.insert(sorted(object.vertices));
       }
 
+      /// Append an object with these vertices, unless it is in the list.
       void
       add(const std::vector<unsigned int> &vertices)
       {
@@ -150,7 +152,7 @@ namespace Signorini
 
 
 
-    /// List all faces and lines, so that all can get manifold ids.
+    /// Append all missing faces and lines of the cells, so that all of them can have manifold ids.
     template <int dim>
     void
     complete_faces(CoarseMesh<dim> &mesh)
@@ -174,6 +176,7 @@ namespace Signorini
 
 
 
+    /// Throw SceneError if the transformation has inverted or mirrored a cell.
     template <int dim>
     void
     check_orientation(const CoarseMesh<dim> &mesh, const std::string &formulas)
@@ -200,6 +203,8 @@ namespace Signorini
 
 
 
+  // Flat manifolds are transformed as well, since straight lines become curves. Without curvature
+  // before and after, no manifold is needed.
   template <int dim>
   bool
   transform(CoarseMesh<dim> &mesh, const bool is_curved, const VectorExpression<dim> &F)

@@ -6,14 +6,16 @@
 
 namespace Signorini
 {
-  /// The image of a manifold under a map: new points are found before the map and then mapped.
+  /// The image of a manifold under a map: new points are computed on the original manifold and
+  /// mapped.
   template <int dim>
   class TransformedManifold : public dealii::Manifold<dim>
   {
   public:
     using Points = dealii::ArrayView<const dealii::Point<dim>>;
 
-    /// No base stands for flat space.
+    /// @param map the transformation
+    /// @param base the original manifold; null: flat space
     TransformedManifold(std::shared_ptr<const InvertibleMap<dim>>    map,
                         std::shared_ptr<const dealii::Manifold<dim>> base = nullptr);
 
@@ -42,6 +44,7 @@ namespace Signorini
     get_tangent_vector(const dealii::Point<dim> &x1, const dealii::Point<dim> &x2) const override;
 
   private:
+    /// @return the points before the map.
     std::vector<dealii::Point<dim>>
     before_map(const Points &points) const;
 
@@ -49,10 +52,14 @@ namespace Signorini
     std::shared_ptr<const dealii::Manifold<dim>> base;
   };
 
-  /// Move the mesh by x = F(X). Afterwards every cell, face and line has a manifold, the
-  /// transformed former one, so that refined points lie exactly where F puts them; but a mesh that
-  /// stays straight needs none. Returns true if it is curved now. Throws SceneError if F leaves
-  /// components free, is not finite, or turns cells inside out.
+  /// Transform a mesh by x = F(X). Afterwards every cell, face and line has a manifold, the
+  /// transformed former one, so that refined points are exactly on the image; a mesh that stays
+  /// straight needs none. Throws SceneError if F does not prescribe all components, is not finite,
+  /// or inverts cells.
+  /// @param mesh which is changed
+  /// @param is_curved whether it has been curved before
+  /// @param F the formulas
+  /// @return whether the mesh is curved
   template <int dim>
   bool
   transform(CoarseMesh<dim> &mesh, bool is_curved, const VectorExpression<dim> &F);

@@ -10,7 +10,8 @@ namespace Signorini
 
   namespace
   {
-    /// The corners of a cell, as the volumes of the edges there are.
+    /// The corners of a cell by the sign of the volume (2D: area) that the edges there span:
+    /// positive, negative, or zero up to 1e-10 of the product of their lengths.
     struct Corners
     {
       std::vector<unsigned int> positive, negative, flat;
@@ -18,6 +19,7 @@ namespace Signorini
 
 
 
+    /// @return the corners of a cell in deal.II's numbering, sorted by sign.
     template <int dim>
     Corners
     corners_of(const CellData<dim> &cell, const std::vector<Point<dim>> &vertices)
@@ -45,7 +47,8 @@ namespace Signorini
 
 
 
-    /// The corner to be named: a flat one, or one of those that differ from the most.
+    /// @return the corner for the message: a flat one, or else one of the sign that fewer corners
+    /// have.
     unsigned int
     worst(const Corners &corners)
     {
@@ -57,6 +60,8 @@ namespace Signorini
 
 
 
+    /// Reverse the orientation of a cell: transpose a quadrilateral, or exchange bottom and top of
+    /// a hexahedron.
     template <int dim>
     void
     turn(CellData<dim> &cell)
@@ -71,6 +76,8 @@ namespace Signorini
 
 
 
+  // A cell is valid if the volumes at all corners have one sign, which is reversed where it is
+  // negative. Cells of mixed signs are folded; all are counted, and the first is named.
   template <int dim>
   void
   orient(std::vector<CellData<dim>>                   &cells,

@@ -7,8 +7,10 @@
 
 namespace Signorini
 {
-  /// Turn cells whose nodes are listed the other way round. Throws SceneError with the number of
-  /// cells that are folded, and with the element and the corner of the first.
+  /// Reverse cells whose nodes are listed with negative orientation. Throws SceneError with the
+  /// number of cells that are folded or flat, and with the element and the corner of the first.
+  /// @param cells the cells, which are changed
+  /// @param vertices to which they refer
   /// @param elements the element of each cell, for the message
   template <int dim>
   void

@@ -19,7 +19,8 @@ namespace Signorini
   constexpr MeshFile::Shape cell_shape =
     dim == 2 ? MeshFile::Shape::quadrilateral : MeshFile::Shape::hexahedron;
 
-  /// The same nodes in the order in which sets of nodes can be compared.
+  /// @return the same nodes in ascending order, so that sets of nodes can be compared.
+  /// @param nodes indices in any order
   inline std::vector<unsigned int>
   sorted(std::vector<unsigned int> nodes)
   {
@@ -27,7 +28,9 @@ namespace Signorini
     return nodes;
   }
 
-  /// The nodes of a cell's face, in deal.II's order.
+  /// @return the nodes of a face of a cell, in deal.II's order.
+  /// @param cell the cell
+  /// @param face its number
   template <int dim>
   std::vector<unsigned int>
   face_nodes(const dealii::CellData<dim> &cell, const unsigned int face)
@@ -39,7 +42,8 @@ namespace Signorini
     return nodes;
   }
 
-  /// "(1 2 3)"
+  /// @return the coordinates of a point for messages, such as "(1 2 3)".
+  /// @param p the point
   template <int dim>
   std::string
   text_of(const dealii::Point<dim> &p)

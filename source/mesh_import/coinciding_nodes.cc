@@ -16,6 +16,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the length of the shortest edge of all cells.
     template <int dim>
     double
     shortest_edge(const std::vector<CellData<dim>> &cells, const std::vector<Point<dim>> &vertices)
@@ -33,6 +34,7 @@ namespace Signorini
 
 
 
+    /// @return the nodes that cells use, in ascending order and each once.
     template <int dim>
     std::vector<unsigned int>
     nodes_of(const std::vector<CellData<dim>> &cells)
@@ -48,6 +50,8 @@ namespace Signorini
 
 
 
+  // All pairs of nodes at most `distance` apart, by an R-tree: O(n log n) as long as few nodes are
+  // near each other.
   template <int dim>
   CoincidingNodes<dim>::CoincidingNodes(const std::vector<CellData<dim>> &cells,
                                         const std::vector<Point<dim>>    &vertices,
@@ -74,6 +78,8 @@ namespace Signorini
 
 
 
+  // Pairs are sorted by their lower node, so that the representative of `node` is final when it is
+  // passed on.
   template <int dim>
   std::vector<unsigned int>
   CoincidingNodes<dim>::representatives() const
@@ -89,6 +95,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return for each vertex the number of the connected piece of the mesh to which it belongs.
     template <int dim>
     std::vector<unsigned int>
     pieces_of_vertices(const std::vector<CellData<dim>> &cells, const unsigned int n_vertices)
@@ -103,6 +110,7 @@ namespace Signorini
 
 
 
+    /// @return the beginning of a message about n pairs, of which the first will be named.
     std::string
     number_of_pairs(const unsigned int n)
     {
@@ -112,6 +120,8 @@ namespace Signorini
 
 
 
+  // Coinciding nodes of one connected piece are a crack: an error of most meshes. Those of two
+  // pieces may be bodies in contact, and are only reported.
   template <int dim>
   std::string
   CoincidingNodes<dim>::reject_cracks() const
@@ -136,6 +146,9 @@ namespace Signorini
 
 
 
+  // Each edge between nodes at the boundary is compared with the nodes at the boundary in its
+  // bounding box. A node is on the edge if it is closer than 1e-4 of the length of the edge, and
+  // not within 1 % of its ends.
   template <int dim>
   void
   reject_hanging_nodes(const std::vector<CellData<dim>>     &cells,

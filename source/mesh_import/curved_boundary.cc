@@ -47,6 +47,8 @@ namespace Signorini
         }
     triangulation.set_manifold(manifold_id, *manifold());
 
+    // The radius is the mean over the vertices of the file, which must all be on the surface up to
+    // 1e-3 of it. Then all vertices, also the inserted ones, are moved onto the surface radially.
     double radius = 0, deviation = 0;
     for (const Point<dim> *vertex : vertices)
       radius += arm(*vertex).norm() / vertices.size();
@@ -66,12 +68,14 @@ namespace Signorini
 
   namespace
   {
+    /// A kind of surface: the word in the scene, and how many numbers follow it.
     struct Kind
     {
       std::string  word;
       unsigned int n_numbers;
     };
 
+    /// @return the kinds of surfaces that exist in this dimension.
     template <int dim>
     std::vector<Kind>
     kinds()
@@ -83,7 +87,8 @@ namespace Signorini
 
 
 
-    /// Blanks and commas may both stand between numbers.
+    /// @return the numbers of a text, between which there may be blanks and commas. Throws
+    /// SceneError.
     std::vector<double>
     numbers_from(std::string text)
     {
@@ -100,6 +105,8 @@ namespace Signorini
 
 
 
+    /// @return the boundary with centre (or point of the axis) and, if there are twice as many
+    /// numbers, the direction of its axis.
     template <int dim>
     CurvedBoundary<dim>
     make(const std::string &name, const std::vector<double> &x)
@@ -121,6 +128,8 @@ namespace Signorini
 
 
 
+    /// @return the boundary that one item describes. The name of the boundary may contain blanks:
+    /// the last word that is a kind counts.
     template <int dim>
     CurvedBoundary<dim>
     boundary_from(const std::string &item)

@@ -11,25 +11,36 @@
 
 namespace Signorini
 {
-  /// A boundary of a mesh file that lies on a sphere (2D: circle) or a cylinder. The radius is that
-  /// of its vertices.
+  /// A boundary of a mesh file that lies on a sphere (2D: circle) or a cylinder about a given
+  /// centre or axis. The radius is the mean distance of its vertices.
   template <int dim>
   struct CurvedBoundary
   {
-    std::string            name;
-    dealii::Point<dim>     center; ///< of the sphere, or any point of the cylinder's axis
-    dealii::Tensor<1, dim> axis;   ///< unit vector; zero for a sphere
+    /// Name of the boundary.
+    std::string name;
+    /// Centre of the sphere, or any point of the axis of the cylinder.
+    dealii::Point<dim> center;
+    /// Unit vector along the axis of the cylinder; zero for a sphere.
+    dealii::Tensor<1, dim> axis;
 
+    /// @return the deal.II manifold of the surface, which needs no radius.
     std::unique_ptr<dealii::Manifold<dim>>
     manifold() const;
 
-    /// From the center or the axis to p.
+    /// @return the vector to a point from the centre of the sphere, or from the closest point of
+    /// the axis.
+    /// @param p the point
     dealii::Tensor<1, dim>
     arm(const dealii::Point<dim> &p) const;
 
-    /// Move the vertices of faces with this boundary id onto the surface, and give the faces this
-    /// manifold id. Throws SceneError if vertices are off by more than 1e-3 of the radius.
-    /// @param inserted vertices between others, which may be off: those of divided cells
+    /// Move the vertices of faces with certain boundary ids onto the surface, and give the faces
+    /// and their lines a manifold id. Throws SceneError if vertices deviate from the mean radius by
+    /// more than 1e-3 of it.
+    /// @param triangulation a coarse mesh, which is changed
+    /// @param boundary the boundary ids
+    /// @param manifold the id that the manifold gets
+    /// @param inserted for each vertex whether it was inserted by dividing cells; such vertices may
+    /// be off the surface
     void
     apply(dealii::Triangulation<dim>                 &triangulation,
           const std::set<dealii::types::boundary_id> &boundary,
@@ -37,8 +48,11 @@ namespace Signorini
           const std::vector<bool>                    &inserted) const;
   };
 
-  /// Items `NAME sphere cx cy cz` (2D: `NAME circle cx cy`) or `NAME cylinder px py pz ax ay az`
-  /// with a point and the direction of the axis, separated by `;`. Throws SceneError.
+  /// Read curved boundaries from a scene.
+  /// @param text items `NAME sphere cx cy cz` (2D: `NAME circle cx cy`) or `NAME cylinder px py pz
+  /// ax ay az` with a point and the direction of the axis, separated by `;`
+  /// @return one entry for each item
+  /// @throws SceneError if an item has another form
   template <int dim>
   std::vector<CurvedBoundary<dim>>
   curved_boundaries_from(const std::string &text);

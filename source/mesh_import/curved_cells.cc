@@ -11,6 +11,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the map from the reference cell that the nodes of an element define.
     template <int dim>
     QuadraticMap<dim>
     map_of(const MeshFile::Element &element, const MeshFile &file)
@@ -24,6 +25,7 @@ namespace Signorini
 
 
 
+    /// Give a face or line a manifold id unless it has one.
     template <typename Object>
     void
     give(const Object &object, const types::manifold_id id)

@@ -7,13 +7,14 @@
 
 namespace Signorini
 {
-  /// Cells of second order take the shape that their mid-side nodes give them: those that are not
-  /// straight get a manifold each, and their faces and lines that of one of their cells, with which
-  /// the others agree there.
+  /// Give cells of second order the shape of their mid-side nodes. Each cell that is not straight
+  /// gets a manifold of its own, which its faces and lines share unless a neighbour came first:
+  /// both agree on the common nodes. Throws SceneError with the element if a curved cell is folded.
+  /// @param triangulation a coarse mesh whose cells correspond to the elements
+  /// @param file the mesh file with the nodes
   /// @param elements the element of each cell of the triangulation
   /// @param first manifold id; the others follow
-  /// @return the number of such cells
-  /// Throws SceneError with the element if such a cell is folded.
+  /// @return the number of curved cells, i.e. of manifold ids that were used
   template <int dim>
   unsigned int
   curve_cells(dealii::Triangulation<dim>                   &triangulation,

@@ -10,6 +10,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the names of all groups.
     std::vector<std::string>
     names_of(const std::vector<MeshFile::Group> &groups)
     {
@@ -21,6 +22,7 @@ namespace Signorini
 
 
 
+    /// @return whether all corners are in a set.
     bool
     has_all(const std::vector<bool> &set, const MeshFile::Nodes &corners)
     {
@@ -32,6 +34,8 @@ namespace Signorini
 
 
 
+  // Groups with faces name exactly these; groups with nodes only name each face all of whose
+  // corners they contain. Nodes are replaced by their representatives before they are compared.
   FaceNames::FaceNames(const MeshFile                  &file,
                        const unsigned int               dim,
                        const std::vector<std::string>  &chosen,

@@ -15,7 +15,8 @@ namespace Signorini
   {
     using Nodes = MeshFile::Nodes;
 
-    /// The corners of the edges, faces and the inside of a cell, as sets of its vertices.
+    /// @return the edges, faces (3D) and the interior of a cell, each as the numbers of its
+    /// vertices.
     template <int dim>
     std::vector<Nodes>
     objects()
@@ -38,6 +39,7 @@ namespace Signorini
       return result;
     }
 
+    /// @return the mean of some vertices of the reference cell.
     template <int dim>
     Point<dim>
     middle_of(const Nodes &vertices)
@@ -104,6 +106,8 @@ namespace Signorini
 
 
 
+  // The name of a set has priority over a number. INSTANCE.NUMBER is a node of an instance of an
+  // assembly.
   template <int dim>
   MeshFile::Nodes
   FileNodes<dim>::nodes_called(const std::string &name) const
@@ -125,6 +129,9 @@ namespace Signorini
 
 
 
+  // Nodes of a set are found on all cells that have them: at vertices, and as middles of edges,
+  // faces and cells, which are identified by the sorted corners around them. Only cells with at
+  // least two corners near such a middle are searched for middles.
   template <int dim>
   NodeSet<dim>
   FileNodes<dim>::find(const std::string &name) const

@@ -6,28 +6,32 @@
 
 namespace Signorini
 {
-  /// The nodes of a mesh file on the cells of a body, and the sets of them that have names.
+  /// The nodes of a mesh file as points of the cells of a body, and their named sets. Mid-side
+  /// nodes are points of the reference cell between vertices.
   template <int dim>
   class FileNodes
   {
   public:
     FileNodes() = default;
 
+    /// @param file the mesh file
     /// @param cells whose vertices are indices of nodes of the file, or beyond these if the cells
     /// have been divided; in the order and orientation of the final mesh
-    /// @param elements of the cells; those of the shape of a cell may have nodes between corners
-    /// @param representatives of nodes that were merged
+    /// @param elements of the cells; those that have not been divided may have nodes between their
+    /// corners
+    /// @param representatives of all nodes, after merging
     FileNodes(const MeshFile                               &file,
               const std::vector<dealii::CellData<dim>>     &cells,
               const std::vector<const MeshFile::Element *> &elements,
               const std::vector<unsigned int>              &representatives);
 
-    /// The sets with nodes of these cells.
+    /// @return the names of the sets that contain nodes of these cells.
     std::vector<std::string>
     names() const;
 
-    /// The nodes of a set that cells have, or the node of a number, or INSTANCE.NUMBER; empty if
-    /// there are none.
+    /// @return the nodes of a set that the cells have, each with its position in all cells that
+    /// share it; empty if there are none.
+    /// @param name of a set, the number of a node, or INSTANCE.NUMBER
     NodeSet<dim>
     find(const std::string &name) const;
 

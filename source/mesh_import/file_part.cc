@@ -26,6 +26,7 @@ namespace Signorini
 
   namespace
   {
+    /// Throws SceneError for elements that cannot be cells in this dimension.
     template <int dim>
     void
     check_shape(const MeshFile::Element &element)
@@ -41,7 +42,8 @@ namespace Signorini
 
 
 
-    /// All cells of the dimension, or those of the part.
+    /// @return all elements of dimension `dim`, or those of a part. Throws SceneError if there are
+    /// none, or of a wrong kind.
     template <int dim>
     std::vector<const MeshFile::Element *>
     elements_of(const MeshFile &file, const std::string &part)
@@ -67,11 +69,12 @@ namespace Signorini
 
 
 
+    /// @return the elements as cells in deal.II's order of vertices.
     template <int dim>
     std::vector<CellData<dim>>
     cells_of(const std::vector<const MeshFile::Element *> &elements)
     {
-      // Files go around the quadrilateral, deal.II crosses over.
+      // Files list the corners of a quadrilateral in cyclic order, deal.II in lexicographic order.
       static const std::array<unsigned int, 8> order{{0, 1, 3, 2, 4, 5, 7, 6}};
       std::vector<CellData<dim>>               cells(elements.size());
       for (unsigned int c = 0; c < cells.size(); ++c)
@@ -82,6 +85,7 @@ namespace Signorini
 
 
 
+    /// @return the first `dim` coordinates of all nodes.
     template <int dim>
     std::vector<Point<dim>>
     vertices_of(const MeshFile &file)
@@ -95,6 +99,7 @@ namespace Signorini
 
 
 
+    /// Throws SceneError if the cells of a two-dimensional mesh do not have one z coordinate.
     void
     check_plane(const MeshFile &file, const std::vector<CellData<2>> &cells)
     {
@@ -107,7 +112,8 @@ namespace Signorini
 
 
 
-    /// CalculiX adds the stiffness of elements that coincide.
+    /// Throws SceneError if two cells have the same corners, which some programs accept, and then
+    /// add their stiffness. Cost: O(n log n).
     template <int dim>
     void
     reject_repetitions(const std::vector<CellData<dim>>             &cells,
@@ -143,7 +149,8 @@ namespace Signorini
 
 
 
-    /// Faces with one cell. Two cells share an inner face.
+    /// @return the faces that belong to one cell only. Throws SceneError if three cells share a
+    /// face.
     template <int dim>
     std::vector<CellData<dim - 1>>
     boundary_faces(const std::vector<CellData<dim>> &cells, const std::vector<Point<dim>> &vertices)
@@ -173,13 +180,17 @@ namespace Signorini
 
 
 
-    /// Names of boundaries, and those of each boundary id.
+    /// The names of all boundaries, and which of them each boundary id has. A face may have several
+    /// names, so that ids and names differ.
     struct Names
     {
       std::vector<std::string>               boundaries;
       std::vector<std::vector<unsigned int>> of_ids;
 
-      /// One more boundary id for these faces.
+      /// Give some faces a new boundary id.
+      /// @param names indices into `boundaries`
+      /// @param members indices into `faces`
+      /// @param faces the list of all boundary faces
       template <typename Face>
       void
       add(const std::vector<unsigned int> &names,
@@ -191,6 +202,7 @@ namespace Signorini
         of_ids.push_back(names);
       }
 
+      /// @return the index of a name, which is appended if it is new.
       unsigned int
       index(const std::string &name)
       {
@@ -204,8 +216,9 @@ namespace Signorini
 
 
 
-    /// Give the faces boundary ids, one for all that have the same names: first those with names in
-    /// the file, in the order of these, then the others.
+    /// Give all boundary faces ids, one for all faces that have the same names: first those with
+    /// names in the file, in the order of these, then the others, which are called `unnamed`, or
+    /// `unnamed1` and so on if a feature angle divides them into patches.
     template <int dim>
     Names
     name_faces(std::vector<CellData<dim - 1>> &faces,
@@ -261,7 +274,8 @@ namespace Signorini
 
 
 
-    /// Nodes that no element of the file uses: forgotten ones, and those of references and arcs.
+    /// @return a message about nodes that no element of the file uses, such as reference nodes and
+    /// centres of arcs; none if there are no such nodes.
     std::vector<std::string>
     note_of_unused_nodes(const MeshFile &file)
     {
@@ -279,7 +293,8 @@ namespace Signorini
 
 
 
-    /// What a body of several pieces is made of.
+    /// @return a message if the part consists of several pieces that are not connected; none
+    /// otherwise.
     std::vector<std::string>
     note_of_pieces(const MeshFile &file, const unsigned int dim, const std::string &part)
     {
@@ -301,7 +316,8 @@ namespace Signorini
 
 
 
-    /// Of the vertices that cells use, in order: were they made by dividing cells?
+    /// @return for each vertex that cells use, in ascending order, whether it was inserted by
+    /// dividing cells.
     template <int dim>
     std::vector<bool>
     inserted_vertices(const std::vector<CellData<dim>> &cells, const MeshFile &file)
@@ -318,6 +334,7 @@ namespace Signorini
 
 
 
+    /// Replace the vertices of all cells by their representatives.
     template <int dim>
     void
     replace_nodes(std::vector<CellData<dim>>      &cells,
@@ -337,6 +354,10 @@ namespace Signorini
     , elements(elements_of<dim>(file, selection.part))
     , notes(file.notes)
   {
+    // The order matters: (1) cells from elements; (2) merge coinciding nodes; (3) orientation and
+    // checks, which need the final connectivity; (4) names of the boundary faces, which refer to
+    // nodes of the file; (5) only then deal.II's consistent numbering of lines, and the removal of
+    // unused vertices, which renumber cells and nodes.
     for (const std::string &note : note_of_unused_nodes(file))
       notes.push_back(note);
     if (selection.coinciding_nodes != CoincidingPoints::merge)

@@ -8,48 +8,64 @@
 
 namespace Signorini
 {
-  /// What is done with nodes at one place, where cells are not connected.
+  /// What is done with several nodes at one position, where cells are not connected.
   enum class CoincidingPoints
   {
-    refuse, ///< but those of cells that are not connected otherwise, which are kept apart
+    /// An error (a crack), except between cells that are not connected anywhere, which are kept
+    /// separate.
+    refuse,
+    /// One node replaces them, so that the cells are connected.
     merge,
+    /// They are kept separate, as a crack or a slit.
     keep
   };
 
-  /// What is wanted of a mesh file.
+  /// What is read from a mesh file, and how.
   struct FileSelection
   {
-    std::string              part;       ///< empty: all cells
-    std::vector<std::string> boundaries; ///< the first that contains a face wins; empty: all
+    /// Name of the group of cells; empty: all cells.
+    std::string part;
+    /// Names of the groups that are boundaries; the first that contains a face names it. Empty: all
+    /// groups.
+    std::vector<std::string> boundaries;
     CoincidingPoints         coinciding_nodes = CoincidingPoints::refuse;
-    double                   node_distance    = 0; ///< of coinciding nodes; 0: see tolerance_for()
-    double                   feature_angle    = 0; ///< [degrees]; 0: one boundary `unnamed`
+    /// Distance [length] up to which nodes coincide; 0: 1e-3 of the shortest edge.
+    double node_distance = 0;
+    /// Angle [degrees] at which boundaries without names are divided; 0: one boundary `unnamed`.
+    double feature_angle = 0;
   };
 
-  /// One part of a mesh file as deal.II wants it, with vertices of its own.
+  /// One part of a mesh file in the form that deal.II needs to create a triangulation, with
+  /// vertices of its own.
   template <int dim>
   struct FilePart
   {
     std::vector<dealii::CellData<dim>> cells; ///< in the order of `elements`, oriented
     std::vector<dealii::Point<dim>>    vertices;
-    dealii::SubCellData                faces;      ///< all boundary faces
-    std::vector<std::string>           boundaries; ///< those that have faces, the unnamed ones last
-    /// Of each boundary id, indices into `boundaries`.
+    /// All boundary faces, with their boundary ids.
+    dealii::SubCellData faces;
+    /// Names of the boundaries that have faces; those that the file does not name are last.
+    std::vector<std::string> boundaries;
+    /// For each boundary id the indices of its names in `boundaries`.
     std::vector<std::vector<unsigned int>> names_of_ids;
     FileNodes<dim>                         nodes;
-    std::vector<unsigned int>              file_nodes; ///< of the vertices
-    /// Which vertices are not in the file, but were made by dividing cells.
+    /// For each vertex the index of the node of the file.
+    std::vector<unsigned int> file_nodes;
+    /// For each vertex whether it is not in the file, but was inserted by dividing cells.
     std::vector<bool> inserted;
     /// The element of each cell.
     std::vector<const MeshFile::Element *> elements;
-    /// What the user may want to know: nodes that are left out, and where the unnamed boundaries
-    /// are that the feature angle made.
+    /// Messages for the user: nodes that are ignored, pieces that are not connected, and where the
+    /// unnamed boundaries are that the feature angle created.
     std::vector<std::string> notes;
-    /// Where pieces that are not connected touch with nodes of their own, and what to do about it;
-    /// empty if they do not.
+    /// A message on where pieces that are not connected touch with separate nodes, and what to do
+    /// about it; empty if they do not.
     std::string touching_pieces;
 
-    /// Throws SceneError, without the file's name, if the cells cannot be used. Refers to the file.
+    /// Read a part. Throws SceneError, without the file's name, if the cells cannot be used.
+    /// @param file the mesh, of quadrilaterals or hexahedra after divide_cells(); the part refers
+    /// to it
+    /// @param selection what is read
     FilePart(const MeshFile &file, const FileSelection &selection);
   };
 } // namespace Signorini

@@ -18,6 +18,7 @@ namespace Signorini
 {
   namespace
   {
+    /// A file format, with the function that reads it. New formats are added to the registry below.
     struct Format
     {
       std::string extension, name;
@@ -32,11 +33,13 @@ namespace Signorini
 
 
 
+    /// Dimension and number of corners of a shape.
     struct ShapeFacts
     {
       unsigned int dimension, n_corners;
     };
 
+    /// @return the entry of the table, in the order of MeshFile::Shape.
     ShapeFacts
     facts(const MeshFile::Shape shape)
     {
@@ -47,7 +50,8 @@ namespace Signorini
 
 
 
-    /// Binary files may have anything; text was looked at while it was read.
+    /// Throws SceneError if a coordinate is not finite. Binary files may contain any bit pattern;
+    /// text is checked while it is read.
     void
     check_finite(const MeshFile &file, const std::string &file_name)
     {

@@ -10,8 +10,9 @@
 
 namespace Signorini
 {
-  /// What a mesh file says, whatever its format. Own readers, because those of GridIn drop the
-  /// names, cannot take one part out of a file, and give up on named interior faces.
+  /// The contents of a mesh file, independent of its format. The program has readers of its own,
+  /// because those of deal.II's GridIn discard the names of groups, cannot extract one part of a
+  /// file, and fail on named interior faces.
   struct MeshFile
   {
     using Nodes = std::vector<unsigned int>; ///< indices into `nodes`
@@ -29,22 +30,25 @@ namespace Signorini
       unknown ///< with any number of nodes
     };
 
+    /// An element of any dimension and order.
     struct Element
     {
-      Shape       shape;
-      std::string type;   ///< as the file calls it, for messages
-      std::size_t number; ///< in the file, for messages
-      /// The corners, around the bottom and then around the top. In second order then the middles
-      /// of the edges at the bottom, at the top and between, each around; of 27 then the centers of
-      /// the faces x-, x+, y-, y+, z-, z+, and the center; of 9 the center; of 18 (wedges) those of
-      /// the quadrilaterals, in the order of their edges at the bottom; of 14 (pyramids) that of
-      /// the base.
+      Shape shape;
+      /// Type of the element as the file calls it, for messages.
+      std::string type;
+      /// Number in the file, for messages.
+      std::size_t number;
+      /// The corners, around the bottom and then around the top. In second order these are followed
+      /// by the middles of the edges at the bottom, at the top and between, each around; with 27
+      /// nodes by the centres of the faces x-, x+, y-, y+, z-, z+, and the centre; with 9 by the
+      /// centre; with 18 (wedges) by those of the quadrilaterals, in the order of their edges at
+      /// the bottom; with 14 (pyramids) by that of the base.
       Nodes nodes;
     };
 
-    /// What has a common name. In d dimensions, its elements of dimension d are a part and a set of
-    /// cells; those of dimension d-1 and the faces are a boundary, or if there are none, the faces
-    /// all of whose corners are in `nodes`.
+    /// A named set. In d dimensions, its elements of dimension d are a part and a set of cells. Its
+    /// elements of dimension d-1 and its faces are a boundary, or if there are none, the faces all
+    /// of whose corners are in `nodes`.
     struct Group
     {
       std::string               name;
@@ -55,53 +59,66 @@ namespace Signorini
 
     std::vector<dealii::Point<3>> nodes;
     std::vector<Element>          elements;
-    std::vector<Group>            groups; ///< in the order in which they are to be listed
-    /// Nodes by their numbers, where the format has any; by the instance (in upper case, empty:
-    /// none).
+    /// All named sets, in the order in which they are listed.
+    std::vector<Group> groups;
+    /// The indices of nodes by instance (in upper case, empty: none) and number in the file; empty
+    /// if the format has no numbers.
     std::map<std::string, std::unordered_map<std::size_t, unsigned int>> numbers;
-    std::vector<std::string> notes; ///< what the user may want to know about the file
+    /// Messages for the user about the file.
+    std::vector<std::string> notes;
 
-    /// Nodes from here on are not in the file: they were made by dividing cells (see
+    /// Index of the first node that is not in the file, but was created by dividing cells (see
     /// hex_subdivision.h).
     unsigned int first_inserted = -1;
 
-    /// Of cells that were divided: the face of the file that a face at the
-    /// boundary is a part of, by the sorted corners of the latter.
+    /// For cells that were divided: the corners of the face of the file of which a face at the
+    /// boundary is a part, by the sorted corners of the latter.
     std::map<Nodes, Nodes> whole_faces;
 
-    /// The face of the file that a boundary face with these corners is a part of, or itself.
+    /// @return the corners of the face of the file of which a boundary face is a part; the corners
+    /// themselves if its cell was not divided.
+    /// @param corners of the boundary face, in any order
     const Nodes &
     parent_face(const Nodes &corners) const;
-    /// Numbers at the nodes, by name: one a node, not a number where the file has none.
+    /// Scalar fields by name: one value for each node, NaN where the file has none.
     std::map<std::string, std::vector<double>> fields;
 
-    /// The group of that name, made if there is none.
+    /// @return the group of a name, which is created if there is none.
+    /// @param name the name
     Group &
     group(const std::string &name);
   };
 
-  /// 0 to 3; 4 if unknown.
+  /// @return the dimension of a shape, 0 to 3; 4 if the shape is unknown, so that it is never a
+  /// cell.
+  /// @param shape the shape
   unsigned int
   dimension_of(MeshFile::Shape shape);
 
-  /// Number of corners; 0 if unknown.
+  /// @return the number of corners of a shape; 0 if it is unknown.
+  /// @param shape the shape
   unsigned int
   n_corners(MeshFile::Shape shape);
 
-  /// The corners of an element; all nodes if its shape is unknown.
+  /// @return the corners of an element; all nodes if its shape is unknown.
+  /// @param element the element
   MeshFile::Nodes
   corners_of(const MeshFile::Element &element);
 
-  /// Names of the groups with elements of that dimension.
+  /// @return names of the groups that have elements of a dimension, in the order of the file.
+  /// @param file the mesh file
+  /// @param dim the dimension
   std::vector<std::string>
   part_names(const MeshFile &file, unsigned int dim);
 
-  /// Read a file in the format that its extension says. Throws SceneError with the name of the file
-  /// if it cannot be opened, has another extension, or is not what the extension says.
+  /// Read a mesh file in the format that its extension says. Throws SceneError with the name of the
+  /// file if it cannot be opened, has another extension, or its contents are not valid.
+  /// @param file_name path with the extension .msh, .inp, .vtk or .vtu, in any case
+  /// @return the contents
   MeshFile
   read_mesh_file(const std::string &file_name);
 
-  /// "Gmsh (.msh), ...", for messages and help.
+  /// @return the formats as a text for messages and help: ".msh (Gmsh), ...".
   std::string
   mesh_formats();
 } // namespace Signorini

@@ -12,6 +12,8 @@ namespace Signorini
   {
     using Numbers = std::unordered_map<std::size_t, unsigned int>;
 
+    /// @return a number of at most 18 digits, which fits into 64 bits. Throws SceneError.
+    /// @param item the text that the message quotes
     std::size_t
     number_from(const std::string &word, const std::string &item)
     {
@@ -25,7 +27,9 @@ namespace Signorini
 
 
 
-    /// The indices of NUMBER, or of FIRST-LAST.
+    /// @return the indices that belong to NUMBER, or to all of FIRST-LAST. Throws SceneError if the
+    /// file lacks any of these numbers; ranges longer than the list of numbers are rejected before
+    /// they are expanded.
     std::vector<unsigned int>
     indices_of(const std::string &range, const Numbers &numbers, const std::string &item)
     {
@@ -48,7 +52,7 @@ namespace Signorini
 
 
 
-    /// Calls visit(NAME, ITEM) for all items of all sets.
+    /// Call visit(NAME, ITEM) for all items of all sets. Throws SceneError if a name is taken.
     template <typename Visit>
     void
     read_sets(const std::string &text, const std::set<std::string> &taken, const Visit &visit)

@@ -13,6 +13,8 @@ namespace Signorini
 
   namespace
   {
+    /// Name the pieces: by the group whose cells are just those of the piece, otherwise piece1,
+    /// piece2, ...
     void
     name(std::vector<Piece> &pieces, const MeshFile &file, const unsigned int dim)
     {
@@ -54,6 +56,8 @@ namespace Signorini
   std::vector<Piece>
   pieces_of(const MeshFile &file, const unsigned int dim, const std::vector<bool> &wanted)
   {
+    // Elements that share a node are connected, by union-find over the nodes. Pieces are numbered
+    // in the order of their first elements.
     const auto is_cell = [&](const unsigned int e) {
       return (wanted.empty() || wanted[e]) && dimension_of(file.elements[e].shape) == dim;
     };

@@ -9,6 +9,7 @@
 
 namespace Signorini
 {
+  // One entry for each quantity; errors are in the units of the quantity.
   Json
   accuracy_results(const Goals &goals, const ErrorControl &control, const ErrorEstimate &estimate)
   {

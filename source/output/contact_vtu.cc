@@ -16,8 +16,8 @@ namespace Signorini
 
   namespace
   {
-    /// Face by face, the points at which it is drawn, on the reference cell: (n+1)^(dim-1), the
-    /// first parameter of the face running fastest.
+    /// @return for each face of the reference cell the points at which it is drawn: (n+1)^(dim-1),
+    /// the first parameter of the face running fastest.
     template <int dim>
     hp::QCollection<dim>
     points_of_faces(const unsigned int n_subdivisions)
@@ -35,12 +35,13 @@ namespace Signorini
 
 
 
-    /// The nodal fields of one pair with ghosts.
+    /// The nodal fields of one pair with ghost values.
     template <int dim>
     struct Fields
     {
-      LA::Vector              displacement, pressure, gap, status, coverage;
-      std::vector<LA::Vector> traction; ///< dim components
+      LA::Vector displacement, pressure, gap, status, coverage;
+      /// The components of the traction.
+      std::vector<LA::Vector> traction;
 
       Fields(const Snapshot<dim> &snapshot, const unsigned int pair)
       {
@@ -71,8 +72,11 @@ namespace Signorini
     public:
       using Patch = DataOutBase::Patch<dim - 1, dim>;
 
+      /// Evaluate all pairs. Collective.
       ContactFaces(const Snapshot<dim> &snapshot);
 
+      /// Write the files.
+      /// @return the name of the record
       std::string
       write(const PieceSettings &settings, const MPI_Comm comm) const
       {
@@ -81,8 +85,8 @@ namespace Signorini
       }
 
     private:
-      // Rows of the data: first the components of the displacement and of the traction, then these;
-      // the library wants the positions last.
+      // Rows of the data: the components of the displacement and of the traction, then these;
+      // deal.II expects the positions last.
       enum Row : unsigned int
       {
         traction = dim,
@@ -116,17 +120,21 @@ namespace Signorini
                 std::make_tuple(Row::traction, Row::traction + dim - 1, "traction", vector)};
       }
 
+      /// Add the slave faces of one pair.
       void
       add_pair(const Snapshot<dim> &snapshot, unsigned int pair);
+      /// Add one face, with which `values` have been reinitialised.
       void
       add_patch(const FEValues<dim> &values, const Fields<dim> &fields, unsigned int pair);
+      /// Evaluate the fields at the points of one face.
       void
       set_fields(const FEValues<dim> &values,
                  const Fields<dim>   &fields,
                  Table<2, float>     &data) const;
 
       const unsigned int n_subdivisions;
-      hp::FEValues<dim>  values_on_faces; ///< rule f: points of face f
+      /// Evaluation at the points of a face: rule f is that of face f.
+      hp::FEValues<dim>  values_on_faces;
       std::vector<Patch> patches;
     };
 
@@ -200,7 +208,7 @@ namespace Signorini
       std::vector<Tensor<1, dim>> u(values.n_quadrature_points);
       std::vector<double>         p(u.size()), g(u.size()), active(u.size()), coverage(u.size()),
         traction(u.size());
-      // Nodal fields live in the first component.
+      // Nodal fields are stored at the first component of each node.
       const FEValuesExtractors::Scalar first(0);
       values[FEValuesExtractors::Vector(0)].get_function_values(fields.displacement, u);
       values[first].get_function_values(fields.pressure, p);
@@ -219,7 +227,7 @@ namespace Signorini
             data[d][q] = u[q][d];
           data[Row::pressure][q] = p[q];
           data[Row::status][q]   = active[q] >= 1.5 ? 2 : active[q] >= 0.5 ? 1 : 0;
-          // A gap of zero would look like contact where there is no projection at all.
+          // A gap of zero would look like contact where there is no projection.
           data[Row::gap][q] =
             coverage[q] > 1 - 1e-6 ? g[q] : std::numeric_limits<double>::quiet_NaN();
         }

@@ -7,11 +7,15 @@
 
 namespace Signorini
 {
-  /// Writes NAME_NNNN.pvtu and its pieces (NNNN is the step) and returns its name: the slave
-  /// faces of all pairs at reference positions, with `displacement`, `traction` (the force on the
-  /// slave by area), `pressure` (positive in compression), `gap` (NaN where nothing was found to
-  /// touch), `status` (1 active, 0 not, 2 to and fro), and `pair` (a number from 0, its name in the
-  /// field data `pair_names`). A face that belongs to two pairs is there twice. Collective.
+  /// Write NAME_NNNN.pvtu and its pieces (NNNN is the step): the slave faces of all pairs at
+  /// reference positions, with `displacement`, `traction` (force on the slave per area), `pressure`
+  /// (positive in compression), `gap` (NaN where no master surface was found), `status` (1 active,
+  /// 0 not, 2 alternating), and `pair` (a number from 0, with its name in the field data
+  /// `pair_names`). A face of two pairs occurs twice. Throws OutputError. Collective.
+  /// @param snapshot the solution
+  /// @param directory in which files are written
+  /// @param name of the files
+  /// @return the name of the record NAME_NNNN.pvtu
   template <int dim>
   std::string
   write_contact(const Snapshot<dim> &snapshot,

@@ -26,11 +26,13 @@ namespace Signorini
   {
     namespace fs = std::filesystem;
 
-    /// Files of a run by their names, and by what they begin with: others may have the same names.
+    /// Files of a run, described by regular expressions of folder and name, and by the beginning of
+    /// their contents, because other programs may use the same names.
     struct Kind
     {
       const char *folder, *name, *beginning;
-      bool        needed; ///< a file of that name that is not ours must not be replaced
+      /// Whether a run writes a file of this name, so that a file of other origin is an error.
+      bool needed;
     };
 
     constexpr Kind kinds[] = {
@@ -46,6 +48,7 @@ namespace Signorini
       {"profiles", ".*\\.csv", "^x,y,z,pressure,gap,status", false},
       {"profiles/step-[0-9]{4,}", ".*\\.csv", "^x,y,z,pressure,gap,status", false}};
 
+    /// @return the first 1000 bytes of a file.
     std::string
     beginning_of(const fs::path &file)
     {
@@ -56,6 +59,7 @@ namespace Signorini
       return text;
     }
 
+    /// @return whether a file is empty or begins as files of this kind do.
     bool
     holds(const fs::path &file, const Kind &kind)
     {
@@ -63,7 +67,8 @@ namespace Signorini
       return text.empty() || std::regex_search(text, std::regex(kind.beginning));
     }
 
-    /// The subfolders of the directory that may be ours, as they are.
+    /// @return the existing subfolders of the directory that match a pattern; the folder itself if
+    /// that is no pattern.
     std::vector<fs::path>
     folders(const fs::path &directory, const std::string &pattern)
     {
@@ -79,12 +84,14 @@ namespace Signorini
       return result;
     }
 
-    /// What an earlier run left. Throws for a file that would have to be replaced and is another's.
+    /// @return the files that an earlier run has left. Throws SceneError for a file of other origin
+    /// that would have to be replaced.
     std::vector<fs::path>
     stale_files(const fs::path &directory)
     {
       std::vector<fs::path> result;
-      // Scenes were written without a mark once; results beside them tell.
+      // Earlier versions wrote scenes without a mark: they are recognised by the results beside
+      // them.
       const bool has_results =
         fs::exists(directory / "results.json") && holds(directory / "results.json", kinds[0]);
       for (const Kind &kind : kinds)
@@ -110,6 +117,7 @@ namespace Signorini
       return result;
     }
 
+    /// Remove subfolders that are empty.
     void
     remove_empty_folders(const fs::path &directory)
     {
@@ -120,6 +128,7 @@ namespace Signorini
             fs::remove(folder, not_empty);
     }
 
+    /// Remove the files of an earlier run.
     void
     remove_stale_files(const fs::path &directory)
     {
@@ -128,7 +137,8 @@ namespace Signorini
       remove_empty_folders(directory);
     }
 
-    /// Of a file that belongs to one load step, by its name or its folder's; 0 for others.
+    /// @return the load step to which a file belongs, by its name or that of its folder; 0 for
+    /// other files.
     unsigned int
     step_of(const fs::path &file)
     {
@@ -142,6 +152,7 @@ namespace Signorini
       return 0;
     }
 
+    /// Create a directory with its parents. Throws SceneError.
     void
     create(const fs::path &directory)
     {
@@ -156,6 +167,7 @@ namespace Signorini
 
     // The lock ------------------------------------------------------------------------------------
 
+    /// @return the name of this machine.
     std::string
     host_name()
     {
@@ -164,11 +176,13 @@ namespace Signorini
       return name;
     }
 
+    /// The process that has locked a directory, as the lock file describes it.
     struct Owner
     {
       pid_t       process = 0;
       std::string host;
 
+      /// @return a text for messages.
       std::string
       text() const
       {
@@ -177,6 +191,7 @@ namespace Signorini
       }
     };
 
+    /// @return the owner according to a lock file; process 0 if it is empty.
     Owner
     owner_of(const std::string &file)
     {
@@ -186,6 +201,7 @@ namespace Signorini
       return owner;
     }
 
+    /// Throw SceneError: another run uses the directory.
     [[noreturn]] void
     reject_locked(const std::string &directory, const std::string &file, const Owner &owner)
     {
@@ -195,8 +211,8 @@ namespace Signorini
                        (owner.host == host_name() ? "" : ", or remove " + file + " if it is"));
     }
 
-    /// True if `descriptor` is still the file of that name: its owner may have removed it between
-    /// our opening and locking it.
+    /// @return whether an open file is still the one of that name: its owner may have removed it
+    /// between our opening and locking it.
     bool
     is_there(const int descriptor, const std::string &file)
     {
@@ -205,21 +221,25 @@ namespace Signorini
              mine.st_ino == now.st_ino && mine.st_dev == now.st_dev;
     }
 
-    /// Takes hold of an open lock file. False if a living process has it.
+    /// Lock an open lock file.
+    /// @return false if a running process has the lock
     bool
     hold(const int descriptor, const Owner &owner)
     {
       if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
-        // Some network file systems lock on each host alone.
+        // Some network file systems lock on each host separately: a lock of another host is
+        // respected.
         return owner.host.empty() || owner.host == host_name();
       if (errno == EWOULDBLOCK)
         return false;
-      // A file system without locks: what its owner has written has to do.
+      // A file system without locks: the process that the lock file names must not exist any more.
       return owner.process == 0 ||
              (owner.host == host_name() && kill(owner.process, 0) != 0 && errno == ESRCH);
     }
 
-    /// The descriptor of the lock file, and the owner that died without removing it, if any.
+    /// @return the descriptor of the lock file, and the former owner if a process has ended without
+    /// removing it. The loop repeats if another process has removed the file meanwhile. Throws
+    /// SceneError.
     std::pair<int, Owner>
     take_lock(const std::string &directory, const std::string &file)
     {
@@ -241,6 +261,7 @@ namespace Signorini
         }
     }
 
+    /// Write this process into the lock file. Throws SceneError.
     void
     sign(const int lock, const std::string &file)
     {
@@ -258,7 +279,8 @@ namespace Signorini
                                    const bool         is_restart)
     : path(path)
   {
-    // All ranks have read the scene when they are here: it may lie in this directory.
+    // All ranks have read the scene when they reach this point: the scene may be in this directory,
+    // where files are removed. Rank 0 does the work, and its error is thrown on all ranks.
     MPI_Barrier(comm);
     std::string problem;
     if (Utilities::MPI::this_mpi_process(comm) == 0)

@@ -8,19 +8,21 @@
 
 namespace Signorini
 {
-  /// The directory in which a run leaves its files: locked while the run lasts, and cleared of what
-  /// an earlier run left there, so that all files in it belong together.
+  /// The output directory of a run. It is locked while the run lasts, and files of an earlier run
+  /// are removed first, so that all files in it belong together.
   ///
-  /// The lock is the file `run.lock` with "PID HOST". It is held by the operating system (flock),
-  /// so that a run that was killed holds it no more: its file is taken over.
+  /// The lock is the file `run.lock` with "PID HOST". The operating system holds it (flock), so
+  /// that the lock of a run that was killed is free, and its file is taken over.
   class OutputDirectory
   {
   public:
-    /// Creates the directory where there is none. Throws SceneError, before anything is changed, if
-    /// that is impossible, another run holds it, or a file has one of the names that a run needs,
-    /// but was not written by this program. Collective; the other ranks come back only when rank 0
-    /// is ready.
-    /// @param is_restart the files of the earlier run stay: it is to go on
+    /// Create the directory if necessary, and lock it. Throws SceneError, before anything is
+    /// changed, if that is impossible, if another run has locked it, or if a file that a run writes
+    /// exists and was not written by this program. Collective; the other ranks return only when
+    /// rank 0 is ready.
+    /// @param path of the directory
+    /// @param comm the ranks
+    /// @param is_restart whether files of the earlier run are kept, because the run continues
     OutputDirectory(const std::string &path, MPI_Comm comm, bool is_restart = false);
     ~OutputDirectory();
 
@@ -28,45 +30,53 @@ namespace Signorini
     OutputDirectory &
     operator=(const OutputDirectory &) = delete;
 
-    /// What a user wants to know of how it was found; may be empty. The same on all ranks.
+    /// @return a message about the state in which the directory was found; may be empty. The same
+    /// on all ranks.
     const std::string &
     note() const
     {
       return my_note;
     }
 
-    /// Removes the files of load steps after that one. On rank 0.
+    /// Remove the files of later load steps. On rank 0 only.
+    /// @param step the last load step whose files are kept
     void
     remove_steps_after(unsigned int step) const;
 
   private:
+    /// Remove the lock file and release the lock.
     void
     release();
 
     const std::string path;
-    int               lock = -1; ///< file descriptor, on rank 0
-    std::string       my_note;
+    /// File descriptor of the lock file on rank 0; -1 on other ranks.
+    int         lock = -1;
+    std::string my_note;
   };
 
-  /// The first line of scene.prm, by which it is known for a file of this program.
+  /// @return the first line of scene.prm, by which it is recognised as a file of this program.
   std::string
   mark_of_scene_file();
 
-  /// A file that the disk does not take.
+  /// A file could not be written.
   class OutputError : public std::runtime_error
   {
   public:
-    /// @param of_all all ranks throw it, else one
+    /// @param path of the file
+    /// @param of_all whether all ranks throw this error, or one only
     OutputError(const std::string &path, const bool of_all)
       : std::runtime_error("cannot write " + path + "; is the disk full?")
       , of_all(of_all)
     {}
 
+    /// See the constructor.
     const bool of_all;
   };
 
-  /// Write the text beside the file, and put it in its place as a whole: readers never see half of
-  /// it. Throws OutputError.
+  /// Write a file atomically: to a temporary file that is renamed, so that readers never see a part
+  /// of it. Throws OutputError.
+  /// @param path of the file
+  /// @param text its contents
   void
   replace_file(const std::string &path, const std::string &text);
 } // namespace Signorini

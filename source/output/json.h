@@ -9,8 +9,11 @@
 
 namespace Signorini
 {
+  /// JSON objects that keep the order of their entries.
   using Json = nlohmann::ordered_json;
 
+  /// @return numbers as an array.
+  /// @param numbers any container of numbers
   template <typename Container>
   Json
   list(const Container &numbers)
@@ -21,6 +24,8 @@ namespace Signorini
     return result;
   }
 
+  /// @return the components of a vector as an array.
+  /// @param t the vector
   template <int dim>
   Json
   list(const dealii::Tensor<1, dim> &t)

@@ -3,7 +3,8 @@
 
 namespace Signorini
 {
-  /// What the machine could give to programs, in kB; infinite if it does not tell.
+  /// @return the memory [kB] of the machine that is available to programs; infinite if it is
+  /// unknown.
   double
   available_memory();
 } // namespace Signorini

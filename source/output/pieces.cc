@@ -16,7 +16,8 @@ namespace Signorini
 
   namespace
   {
-    /// As VTK wants words in XML: the codes of the characters, a zero behind each word.
+    /// @return words in the ASCII form of VTK's string arrays: the codes of all characters, with a
+    /// zero after each word.
     std::string
     codes(const std::vector<std::string> &words)
     {
@@ -30,6 +31,7 @@ namespace Signorini
       return out.str();
     }
 
+    /// @return the XML of time and names.
     std::string
     field_data(const PieceSettings &settings)
     {
@@ -44,6 +46,7 @@ namespace Signorini
       return out.str();
     }
 
+    /// Whether this rank has nothing to write, has written, or could not.
     enum State : unsigned int
     {
       nothing,
@@ -54,6 +57,8 @@ namespace Signorini
 
 
 
+  // The states of all ranks are exchanged, so that all of them throw if one could not write, and
+  // the record lists existing files only.
   template <int dim, int spacedim>
   std::string
   write_pieces(const std::vector<DataOutBase::Patch<dim, spacedim>> &patches,

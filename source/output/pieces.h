@@ -10,27 +10,35 @@
 
 namespace Signorini
 {
-  /// Which columns of the data are vectors and tensors, as deal.II describes them.
+  /// The columns of the data that are vectors and tensors, as deal.II describes them.
   using NonscalarRanges =
     std::vector<std::tuple<unsigned int,
                            unsigned int,
                            std::string,
                            dealii::DataComponentInterpretation::DataComponentInterpretation>>;
 
-  /// A VTU data set of one load step beside its patches.
+  /// The properties of a VTU data set of one load step, besides its patches.
   struct PieceSettings
   {
-    std::string              directory, name; ///< files are NAME_STEP.pvtu, NAME_STEP.RANK.vtu
-    unsigned int             step;
-    double                   time;
-    std::string              names_of; ///< "body": the names that the numbers in this field have
-    std::vector<std::string> names;    ///< they stand in the field data, as NAMES_OF_names
+    /// Directory and stem of the files, which are NAME_STEP.pvtu and NAME_STEP.RANK.vtu.
+    std::string  directory, name;
+    unsigned int step;
+    double       time;
+    /// The field whose numbers have names, such as "body".
+    std::string names_of;
+    /// The names, which are written to the field data NAMES_OF_names.
+    std::vector<std::string> names;
   };
 
-  /// Writes one file a rank that has patches (an empty one would lack the fields that readers
-  /// expect), and the record of all, whose name is returned. The field data hold the time
-  /// (`TimeValue`) and the names. Throws std::runtime_error on all ranks if a file cannot be
-  /// written. Collective.
+  /// Write one file for each rank that has patches (an empty file would lack the fields that
+  /// readers expect), and the record of all. The field data contain the time (`TimeValue`) and the
+  /// names. Throws OutputError on all ranks if a file cannot be written. Collective.
+  /// @param patches of this rank
+  /// @param data_names names of the columns
+  /// @param ranges vectors and tensors among the columns
+  /// @param settings of the data set
+  /// @param comm the ranks
+  /// @return the name of the record
   template <int dim, int spacedim>
   std::string
   write_pieces(const std::vector<dealii::DataOutBase::Patch<dim, spacedim>> &patches,

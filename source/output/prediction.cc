@@ -17,15 +17,21 @@ namespace Signorini
 
   namespace
   {
-    /// Of one dimension, degree and form of the stiffness, by scripts/calibrate.
+    /// Measured costs for one dimension, degree and form of the stiffness (scripts/calibrate).
+    /// Times are in units of the time of assembling one cell, for each cell.
     struct Calibration
     {
-      double set_up;          ///< seconds of what a cold start does once, in those of assembly
-      double iteration;       ///< of one iteration of the linear solver, likewise
-      double iterations;      ///< of all Newton steps of a cold start together
-      double bytes_per_entry; ///< of the stiffness matrix, or of the one that there would be
+      /// What a first solution does once.
+      double set_up;
+      /// One iteration of the linear solver.
+      double iteration;
+      /// Number of iterations of all Newton steps of a first solution.
+      double iterations;
+      /// Memory [bytes] for each entry of the stiffness matrix, also if it is not assembled.
+      double bytes_per_entry;
     };
 
+    /// @return the measured costs.
     Calibration
     calibration(const unsigned int dim, const unsigned int degree, const StiffnessForm form)
     {
@@ -36,14 +42,16 @@ namespace Signorini
       return degree == 1 ? Calibration{32, 1.4, 32, 33} : Calibration{16, 0.85, 34, 31};
     }
 
-    /// Of a contact point, by the same.
+    /// Measured costs for each contact point.
     struct PointCosts
     {
       double
-        assemblies; ///< seconds of all searches and what follows, in those of assembling a cell
+        /// Time of all searches and what follows from them, in units of assembling one cell.
+             assemblies;
       double bytes;
     };
 
+    /// @return the measured costs of contact points.
     PointCosts
     point_costs(const unsigned int dim, const unsigned int degree, const bool uses_current_geometry)
     {
@@ -53,7 +61,7 @@ namespace Signorini
       return uses_current_geometry ? costs : PointCosts{costs.assemblies / 4, costs.bytes / 2};
     }
 
-    /// After the refinements to come, too.
+    /// @return the form of the stiffness on the mesh of a refinement cycle.
     template <int dim>
     StiffnessForm
     form_of(const Scene<dim> &scene, const Elasticity<dim> &elasticity, const unsigned int cycle)
@@ -65,18 +73,20 @@ namespace Signorini
 
     constexpr double base_memory_mb = 166; // of the libraries
 
-    // Of a load step or a refined mesh that starts from a solution, beside a cold start; of which
-    // what is done once for all load steps is a part.
+    // The cost of a load step or refined mesh that starts from a solution, relative to a first
+    // solution; the second number is the share of the set-up that each load step repeats.
     constexpr double warm_share = 0.6, set_up_of_steps = 0.2;
 
-    /// Cells with one kind of element.
+    /// The cells with one element, on all ranks.
     struct Cells
     {
-      double n       = 0;
-      double seconds = 0; ///< of the assembly of one
+      double n = 0;
+      /// Time of assembling one cell [s].
+      double seconds = 0;
     };
 
-    /// Which the first cells, and what else the machine does, do not disturb.
+    /// @return the median, which is not influenced by the first cells and by other load of the
+    /// machine; 0 without samples.
     double
     median(std::vector<double> &samples)
     {
@@ -87,8 +97,9 @@ namespace Signorini
       return *middle;
     }
 
-    /// Of all ranks, by their element's index. The yardstick is plain elasticity, whatever the
-    /// model is: what takes most does not depend on it.
+    /// @return number and assembly time of the cells of all ranks, by the index of their element.
+    /// Plain elasticity is measured for all models, since the expensive parts do not depend on the
+    /// model. Collective.
     template <int dim>
     std::vector<Cells>
     count_cells(const Elasticity<dim> &elasticity)
@@ -124,6 +135,9 @@ namespace Signorini
 
 
 
+  // The sum over refinement cycles and load steps of: work before the solution and at contact
+  // points, which scales with the surface, and set-up and iterations, which scale with the number
+  // of cells.
   template <int dim>
   Prediction
   predict(const Scene<dim>      &scene,
@@ -149,7 +163,7 @@ namespace Signorini
       nodes += counted[i].n * std::pow(elements[i].degree, dim);
     const double dofs_per_node = elasticity.dof_handler().n_dofs() / nodes;
 
-    // Points cost what the dearest cells cost.
+    // Contact points cost as much as those of the most expensive cells.
     const PointCosts of_points     = point_costs(dim, elasticity.degree(), uses_current_geometry);
     double           point_seconds = 0;
     for (const Cells &cells : counted)
@@ -194,12 +208,11 @@ namespace Signorini
         result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
     result.memory_mb += std::pow(size, (dim - 1.) / dim) * points * of_points.bytes / 1e6;
-    // Nor is it known how large load steps of large deformation can be, and how many steps of
-    // Newton's method they take.
+    // Neither the size of load steps at finite strain nor their Newton iterations are known in
+    // advance.
     if (elasticity.is_finite_strain())
       result.seconds = std::numeric_limits<double>::quiet_NaN();
-    // What a factorisation takes depends on the ordering that it finds, and on how often the active
-    // set changes.
+    // The cost of a factorisation depends on the fill-in, and on how often the active set changes.
     if (scene.solver.preconditioner == "direct")
       result.seconds = result.memory_mb = std::numeric_limits<double>::quiet_NaN();
     return result;

@@ -6,21 +6,29 @@
 
 namespace Signorini
 {
-  /// What a run will take, by a small model: what it has taken up to now, so many times the seconds
-  /// of assembly, which are measured on a few cells, for each cell and contact point, and so many
-  /// bytes an entry of the stiffness matrix (that there is, or would be) and point. Within a factor
-  /// of two for the seconds and 30 % for the memory of usual scenes; scripts/calibrate compares.
+  /// The predicted costs of a run by a simple model: the time so far, plus multiples of the
+  /// assembly time, which is measured on a few cells, for each cell and contact point; and a number
+  /// of bytes for each entry of the stiffness matrix (whether or not it is assembled) and contact
+  /// point. For usual scenes the time is right within a factor of two, and the memory within 30 %;
+  /// scripts/calibrate compares.
   struct Prediction
   {
-    double seconds_per_cell = 0; ///< of assembly, measured here and now
-    double seconds          = 0; ///< of the whole run; NaN for a direct solver, as the memory
-    double seconds_before   = 0; ///< until now: mesh, search
-    double memory_mb        = 0; ///< largest of a rank
+    /// Time of assembling one cell [s], as measured.
+    double seconds_per_cell = 0;
+    /// Time of the whole run [s]; NaN for direct solvers and finite strain.
+    double seconds = 0;
+    /// Time so far [s]: mesh and search.
+    double seconds_before = 0;
+    /// Largest memory of a rank [MB]; NaN for direct solvers.
+    double memory_mb = 0;
   };
 
-  /// Collective. Of the mesh as it is and the refinements to come.
+  /// @return the predicted costs, for the present mesh and the refinements to come. Collective.
+  /// @param scene the scene
+  /// @param elasticity the model on the present mesh
   /// @param n_points contact points of this rank
-  /// @param seconds since the start; what they did is done again on each mesh, surface by surface
+  /// @param seconds since the start of the program; this work is repeated on each mesh, in
+  /// proportion to its surface
   template <int dim>
   Prediction
   predict(const Scene<dim>      &scene,

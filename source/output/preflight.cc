@@ -22,6 +22,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return a point as an array.
     template <int dim>
     Json
     coordinates_of(const Point<dim> &p)
@@ -32,13 +33,14 @@ namespace Signorini
       return result;
     }
 
-    /// What tells the boundaries of a body apart: number of faces, size (area; in 2D length),
-    /// center, extent.
+    /// Properties by which the boundaries of bodies can be distinguished: number of faces, size
+    /// (area; in 2D length), centre and extent; one entry for each boundary, or dim.
     template <int dim>
     struct Boundaries
     {
       std::vector<double> faces, size, moment, low, high;
 
+      /// Integrate over all boundary faces. Collective.
       explicit Boundaries(const Elasticity<dim> &elasticity)
       {
         constexpr double most  = std::numeric_limits<double>::max();
@@ -66,6 +68,7 @@ namespace Signorini
         Utilities::MPI::max(high, mesh.communicator(), high);
       }
 
+      /// Add a face to boundary i.
       void
       add(const unsigned int i, const FacePatch<dim> &patch)
       {
@@ -87,6 +90,7 @@ namespace Signorini
           }
       }
 
+      /// @return the properties of boundary i.
       Json
       description(const unsigned int i) const
       {
@@ -105,7 +109,7 @@ namespace Signorini
       }
     };
 
-    /// Of one body, by their names.
+    /// @return the properties of the boundaries of one body, by their names.
     template <int dim>
     Json
     describe_boundaries(const Boundaries<dim> &all, const Mesh<dim> &mesh, const unsigned int body)
@@ -118,6 +122,7 @@ namespace Signorini
       return result;
     }
 
+    /// @return thermal expansion and the range of temperatures at the end of a body. Collective.
     template <int dim>
     Json
     thermal(const Scene<dim> &scene, const Elasticity<dim> &elasticity, const unsigned int body)
@@ -132,6 +137,7 @@ namespace Signorini
               {"to", highest}};
     }
 
+    /// @return the properties of all bodies, by their names. Collective.
     template <int dim>
     Json
     bodies(const Decisions<dim> &decisions, const Elasticity<dim> &elasticity)
@@ -165,12 +171,13 @@ namespace Signorini
       return result;
     }
 
-    /// A boundary of a body on this rank, and what is known of the whole of it.
+    /// A boundary of a body: its faces on this rank, and number and mean size of all its faces.
     template <int dim>
     struct Side
     {
       BoundaryFaces<dim> own;
-      double             n = 0, size = 0; ///< number of faces, and their mean size
+      /// Number of faces on all ranks, and their mean size [length].
+      double n = 0, size = 0;
 
       Side(const Elasticity<dim> &elasticity, const std::string &boundary)
         : own(elasticity, boundary)
@@ -184,7 +191,8 @@ namespace Signorini
       }
     };
 
-    /// Shares of the candidates' area by the initial gap.
+    /// @return the range of initial gaps, the shares of the area of the candidates that overlap,
+    /// touch and are open, and a histogram. Collective.
     template <int dim>
     Json
     gaps(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
@@ -221,8 +229,8 @@ namespace Signorini
               {"histogram", histogram}};
     }
 
-    /// Of normals from opposite where surfaces touch or overlap at the start, on any rank
-    /// [degrees].
+    /// @return the largest angle [degrees] between the slave normal and the opposite of the master
+    /// normal where surfaces touch or overlap at the start, on all ranks.
     template <int dim>
     double
     largest_angle(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
@@ -234,8 +242,9 @@ namespace Signorini
       return std::acos(std::max(-1., Utilities::MPI::min(smallest, comm))) * 180 / numbers::PI;
     }
 
-    /// True if nearly all vertices of the slave are vertices of the master. A rank that their
-    /// rounded coordinates tell compares them.
+    /// @return whether nearly all vertices of the slave are vertices of the master. Coordinates are
+    /// rounded to a fiftieth of a face, and compared on the rank that their hash assigns.
+    /// Collective.
     template <int dim>
     bool
     match(const Side<dim> &slave, const Side<dim> &master, const MPI_Comm comm)
@@ -268,6 +277,8 @@ namespace Signorini
       return Utilities::MPI::sum(n_same, comm) > 0.9 * Utilities::MPI::sum(of_slave.size(), comm);
     }
 
+    /// @return the properties of all contact pairs, by their names; warnings are appended.
+    /// Collective.
     template <int dim>
     Json
     pairs(const Decisions<dim>                   &decisions,
@@ -337,6 +348,7 @@ namespace Signorini
       return result;
     }
 
+    /// @return what the computation omits because this scene does not need it.
     template <int dim>
     Json
     skipped_items(const Decisions<dim>                   &decisions,
@@ -370,6 +382,7 @@ namespace Signorini
       return result;
     }
 
+    /// Append warnings about nearly incompressible bodies in displacement form.
     template <int dim>
     void
     warn_about_bodies(const Decisions<dim> &decisions, Json &warnings)
@@ -401,6 +414,7 @@ namespace Signorini
 
   namespace
   {
+    /// Append warnings about thermal strains that are not small.
     void
     warn_about_heat(const Json &bodies, Json &warnings)
     {

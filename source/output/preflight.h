@@ -11,9 +11,14 @@
 
 namespace Signorini
 {
-  /// What is known of a scene before it is solved: bodies, motions that contact alone stops, pairs
-  /// with their gaps and meshes, what is left out and why, warnings with their cures, and what the
-  /// run will take. Keys in words; the printed report shows the same. Collective.
+  /// @return a report on a scene before it is solved: bodies, rigid-body modes that contact alone
+  /// constrains, pairs with their gaps and meshes, what is omitted and why, warnings with advice,
+  /// and the predicted costs. Collective.
+  /// @param decisions the scene with all choices
+  /// @param elasticity the model
+  /// @param surfaces contact surfaces of all pairs
+  /// @param contact the gap operator
+  /// @param seconds since the start of the program
   template <int dim>
   nlohmann::ordered_json
   preflight(const Decisions<dim>                   &decisions,
@@ -22,7 +27,11 @@ namespace Signorini
             const GapOperator                      &contact,
             double                                  seconds);
 
-  /// @param with_boundaries the names of all boundaries too, with what tells them apart
+  /// Print a report.
+  /// @param report of preflight()
+  /// @param out the stream
+  /// @param with_boundaries whether all boundaries are listed with the properties by which they can
+  /// be distinguished
   void
   print_preflight(const nlohmann::ordered_json &report, std::ostream &out, bool with_boundaries);
 } // namespace Signorini

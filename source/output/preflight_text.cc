@@ -13,7 +13,8 @@ namespace Signorini
 
   namespace
   {
-    /// A corner of a body of that size: gaps of 1e-6 of it are to be seen, but no rounding.
+    /// @return a corner of a body as text, with enough digits for gaps of 1e-6 of its size, and
+    /// without rounding errors.
     std::string
     text(const Json &numbers, const double size)
     {
@@ -27,7 +28,7 @@ namespace Signorini
       return out.str() + ")";
     }
 
-    /// The longest side of a body.
+    /// @return the longest side of the bounding box of a body.
     double
     size_of(const Json &body)
     {
@@ -37,6 +38,7 @@ namespace Signorini
       return size;
     }
 
+    /// Print one line about a boundary.
     void
     print_boundary(const std::string &name,
                    const Json        &boundary,
@@ -50,7 +52,7 @@ namespace Signorini
           << "\n";
     }
 
-    /// The temperatures are those at the end.
+    /// @return a text about thermal expansion; the temperatures are those at the end.
     std::string
     heat_message(const Json &thermal)
     {
@@ -65,6 +67,7 @@ namespace Signorini
       return out.str();
     }
 
+    /// Print some lines about a contact pair.
     void
     print_pair(const std::string &name, const Json &pair, std::ostream &out)
     {

@@ -12,6 +12,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the entry of a point in a body.
     template <int dim>
     Json
     in_body(const Point<dim> &place, const ProbeValue<dim> &value)
@@ -31,6 +32,7 @@ namespace Signorini
               {"von_mises", value.von_mises}};
     }
 
+    /// @return the entries of all points of a probe on a slave surface. Collective.
     template <int dim>
     Json
     on_pair(const Snapshot<dim> &snapshot, const Probe<dim> &probe)

@@ -9,9 +9,12 @@
 
 namespace Signorini
 {
-  /// At each probe its place and displacement; in bodies stress by names ("xx", ...), principal
-  /// stresses (the largest first) and von Mises stress; on pairs pressure and gap (null where there
-  /// is no candidate for contact). Of lines a list of that. Collective.
+  /// @return position and displacement at each probe; in bodies also stress components by name
+  /// ("xx", ...), principal stresses (the largest first) and von Mises stress; on pairs also
+  /// pressure and gap (null where the surfaces are too far apart for the search). Lines have a list
+  /// of these. Collective.
+  /// @param snapshot the solution
+  /// @param probes of the scene
   template <int dim>
   Json
   probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes);

@@ -27,7 +27,7 @@ namespace Signorini
 
 
 
-    // The points of this rank, number after number.
+    // @return the contact points of a pair on this rank, ten numbers for each.
     template <int dim>
     std::vector<double>
     own_lines(const Snapshot<dim> &snapshot, const unsigned int pair)
@@ -59,8 +59,9 @@ namespace Signorini
 
 
 
-    // All points of the pair on rank 0, where they have to fit: ten numbers a point of the surface,
-    // which is little beside the share of the volume that any rank has.
+    // @return all contact points of a pair, on rank 0, where they have to fit into memory: ten
+    // numbers for each point of the surface are little compared with the share of the volume of any
+    // rank.
     template <int dim>
     std::vector<Line>
     gather_lines(const Snapshot<dim> &snapshot, const unsigned int pair)
@@ -79,8 +80,8 @@ namespace Signorini
 
 
 
-    // Places of the lines in the order of their coordinate d; coordinates that differ by rounding
-    // only share a place.
+    // @return the position of each line in the order of its coordinate d, where coordinates that
+    // differ by rounding only have the same position.
     std::vector<unsigned int>
     places(const std::vector<Line> &lines, const unsigned int d, const double tolerance)
     {
@@ -97,6 +98,7 @@ namespace Signorini
 
 
 
+    /// @return the largest difference of a coordinate from that of the first line.
     double
     extent(const std::vector<Line> &lines)
     {
@@ -109,8 +111,9 @@ namespace Signorini
 
 
 
-    // Positions of nodes are rounded differently by the cells around them, and which of them wins
-    // depends on the distribution of the cells: neither the order nor a zero shall depend on it.
+    // @return the lines sorted by x, y, z. Positions of nodes are rounded differently by the cells
+    // around them, and which of these counts depends on the partition: neither the order nor zeros
+    // may depend on it.
     std::vector<Line>
     sorted(const std::vector<Line> &lines)
     {
@@ -139,6 +142,7 @@ namespace Signorini
 
 
 
+    /// @return a number with 12 digits.
     std::string
     number_text(const double x)
     {
@@ -149,6 +153,7 @@ namespace Signorini
 
 
 
+    /// @return the file, with the reference pressure at each point if there is one.
     template <int dim>
     std::string
     as_text(const std::vector<Line>              &lines,

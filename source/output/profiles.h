@@ -7,12 +7,15 @@
 
 namespace Signorini
 {
-  /// Writes step-NNNN/PAIR.csv for each pair (NNNN is the step), and the same to PAIR.csv, which so
-  /// is that of the last step. One line a contact point (row of the gap operator):
+  /// Write step-NNNN/PAIR.csv for each pair (NNNN is the step), and a copy PAIR.csv, which is
+  /// therefore that of the last step. Each line is a contact point (row of the gap operator):
   /// x,y,z,pressure,gap,status,initial_gap,normal_x,normal_y,normal_z[,reference], sorted by x,
   /// then y, then z. z is 0 in 2D; pressure is positive in compression; the normal is the direction
-  /// of the force on the slave. Collective.
-  /// @param reference_pressure formula of the coordinates and the time; empty: no such column
+  /// of the force on the slave. Throws OutputError. Collective.
+  /// @param snapshot the solution
+  /// @param directory in which files are written
+  /// @param reference_pressure formula of the coordinates and the time; empty: there is no such
+  /// column
   template <int dim>
   void
   write_profiles(const Snapshot<dim> &snapshot,

@@ -9,19 +9,24 @@
 
 namespace Signorini
 {
-  /// The file that lists the files of all steps with their times, written anew after each step so
-  /// that a run can be watched. Writes on rank 0 only.
+  /// The file that lists the files of all load steps with their times. It is written anew after
+  /// each step, so that a run can be watched. Rank 0 writes.
   class PvdRecord
   {
   public:
+    /// @param path of the file
+    /// @param comm the ranks
     PvdRecord(const std::string &path, MPI_Comm comm);
 
-    /// @param file name relative to the record; one that is there already is replaced (a step that
-    /// was solved again on a finer mesh).
+    /// Add a load step. Throws OutputError.
+    /// @param time of the load step
+    /// @param file name relative to the record; an entry with this name is replaced (a step that
+    /// was solved again on a finer mesh)
     void
     add(double time, const std::string &file);
 
-    /// The entries of a run that goes on; nothing is written.
+    /// Set the entries of a run that is continued; nothing is written.
+    /// @param entries times and file names
     void
     restore(const std::vector<std::pair<double, std::string>> &entries)
     {
@@ -34,7 +39,8 @@ namespace Signorini
     std::vector<std::pair<double, std::string>> steps;
   };
 
-  /// Fast compression: the best one would take longer than the solution of small problems.
+  /// @return flags for fast compression: the best one would take longer than the solution of small
+  /// problems.
   dealii::DataOutBase::VtkFlags
   vtk_flags();
 } // namespace Signorini

@@ -19,6 +19,7 @@ namespace Signorini
   {
     constexpr char unfinished[] = "unfinished: the run is in progress, or was terminated";
 
+    /// @return the output directory of a scene, output/NAME by default.
     template <int dim>
     std::string
     directory_of(const Scene<dim> &scene)
@@ -118,6 +119,8 @@ namespace Signorini
 
 
 
+  // The results of the earlier process are continued; what concerns the process itself is replaced.
+  // Times of both are added.
   template <int dim>
   void
   Recorder<dim>::restore(const Json &former)
@@ -241,6 +244,7 @@ namespace Signorini
 
 
 
+  // The check of the targets becomes a part of the verdict.
   template <int dim>
   void
   Recorder<dim>::add_targets(const ErrorControl &control, const std::string &why, const double time)
@@ -251,6 +255,7 @@ namespace Signorini
 
 
 
+  // Counts of iterations between augmentations are reported for the augmented Lagrangian.
   template <int dim>
   Json
   Recorder<dim>::newton_results(const NewtonReport &report) const
@@ -301,7 +306,8 @@ namespace Signorini
     results["load_steps"].push_back(one);
     writer.write(now, scene.known.pressure);
 
-    // Many small steps shall not wait for a long file to be written each time.
+    // The file grows with each step: it is written only if that takes less than a twentieth of the
+    // time since the last writing.
     add_costs();
     if (clock.wall_time() - written_at >= 20 * writing_takes)
       write();
@@ -309,6 +315,7 @@ namespace Signorini
 
 
 
+  // The status 2 marks contact points that alternate; they are counted by pair.
   template <int dim>
   void
   Recorder<dim>::add_failure(const Snapshot<dim> &now, const NewtonReport &report)
@@ -415,6 +422,8 @@ namespace Signorini
 
 
 
+  // The run has an answer if Newton's method has converged and no check has failed (with
+  // Output/Strict: has warned).
   template <int dim>
   ExitCode
   Recorder<dim>::finish(const NewtonReport &report, std::ostream &text, const bool is_interrupted)
@@ -461,7 +470,8 @@ namespace Signorini
       }
     catch (const std::runtime_error &)
       {
-        // The disk may be what ends the run; what is said of it is the error.
+        // The error of the disk may be the reason why the run ends; then that error is reported,
+        // not this one.
       }
   }
 

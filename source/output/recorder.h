@@ -18,112 +18,153 @@
 
 namespace Signorini
 {
-  /// What results.json says of the pairs, forces, probes and errors of a solution. Collective.
+  /// @return the entries of results.json about pairs, forces, probes and errors of a solution.
+  /// Collective.
+  /// @param scene the scene
+  /// @param now the solution
+  /// @param probes of the scene
   template <int dim>
   Json
   results_at(const Scene<dim>              &scene,
              const Snapshot<dim>           &now,
              const std::vector<Probe<dim>> &probes);
 
-  /// The scene as it is left in the output directory, runnable again.
+  /// @return the scene with all defaults, as it is written to the output directory; it can be run
+  /// again.
+  /// @param decisions the scene with all choices
   template <int dim>
   std::string
   text_with_defaults(const Decisions<dim> &decisions);
 
-  /// What a run leaves behind: results.json, which grows from step to step and says `unfinished`
-  /// until the end, so that a run that is killed leaves what it had; the files of Writer; and
-  /// scene.prm. doc/guide/results.md describes all of it. Keeps references to its arguments.
+  /// Records the results of a run: results.json, which grows from step to step and is marked as
+  /// unfinished until the end, so that a run that is killed leaves what it had computed; the files
+  /// of Writer; and scene.prm. doc/guide/results.md describes all of them. Refers to its arguments.
   template <int dim>
   class Recorder
   {
   public:
-    /// Takes the output directory. Throws SceneError if that cannot be had. Collective.
-    /// @param is_restart what is there stays, and nothing is written before restore()
+    /// Lock the output directory. Throws SceneError if that is impossible. Collective.
+    /// @param decisions the scene with all choices
+    /// @param clock of the whole run
+    /// @param timer of its parts
+    /// @param comm the ranks
+    /// @param is_restart whether existing files are kept, and nothing is written before restore()
     Recorder(const Decisions<dim>      &decisions,
              const dealii::Timer       &clock,
              const dealii::TimerOutput &timer,
              MPI_Comm                   comm,
              bool                       is_restart = false);
 
-    /// Goes on with the results of an earlier process, and drops what that one wrote later. Empty:
-    /// from the beginning. Collective.
+    /// Continue with the results of an earlier process, and remove files that it has written later.
+    /// Collective.
+    /// @param former results of save(); empty: from the beginning
     void
     restore(const Json &former);
 
-    /// What restore() needs. Collective.
+    /// @return the results that restore() needs. Collective.
     const Json &
     save();
 
+    /// @return the path of the output directory.
     const std::string &
     directory() const
     {
       return path;
     }
 
-    /// See OutputDirectory::note().
+    /// @return OutputDirectory::note().
     const std::string &
     note() const
     {
       return folder.note();
     }
 
-    // As the run goes on; collective but for the first two:
+    // During the run; collective except for the first two:
 
+    /// Record the report of preflight().
     void
     add_preflight(const Json &report);
-    /// @param change of the pressure by an update, relative; empty: not estimated
-    /// @param updated contact is on the surfaces as they are now
+    /// Record the configuration in which contact is evaluated.
+    /// @param change estimated relative change of the pressure by a geometry update; none: not
+    /// estimated
+    /// @param updated whether contact is evaluated in the current configuration
     void
     add_contact_geometry(std::optional<double> change, bool updated);
-    /// @param neglected share of the work that small strain neglects; empty: not estimated
-    /// @param finite the deformation is large from now on
+    /// Record the kinematics.
+    /// @param neglected share of the work that small strain neglects, (6.21) of doc/theory; none:
+    /// not estimated
+    /// @param finite whether strain is finite from now on
     void
     add_deformation(std::optional<double> neglected, bool finite);
-    /// A solution on a mesh that is refined then.
+    /// Record the solution on a mesh that will be refined.
+    /// @param newton_iterations of this solution
+    /// @param multigrid_cycles of this solution
+    /// @param accuracy its error estimates
     void
     add_cycle(unsigned int newton_iterations, unsigned int multigrid_cycles, const Json &accuracy);
-    /// The errors of the last load step. @param why the targets were not reached; empty: they were,
-    /// or there are none
+    /// Record the errors of the last load step.
+    /// @param accuracy entry of accuracy_results()
+    /// @param control the histories of errors
+    /// @param why reason why targets were not reached; empty: they were, or there are none
     void
     add_accuracy(const Json &accuracy, const ErrorControl &control, const std::string &why);
-    /// How good the targets were met at a load step. @param why they were not; empty: they were
+    /// Record how the targets were met at a load step.
+    /// @param control the histories of errors
+    /// @param why reason why targets were not reached; empty: they were
+    /// @param time of the load step
     void
     add_targets(const ErrorControl &control, const std::string &why, double time);
-    /// The results on all meshes that were refined so far.
+    /// @return the entries of all meshes that have been refined.
     const Json &
     cycles() const
     {
       return results["cycles"];
     }
+    /// Record a load step: add its checks to the verdict, and write its files. Collective.
+    /// @param now the solution
+    /// @param report of Newton's method
     /// @param multigrid_cycles of the linear solver so far
-    /// @param accuracy of the wanted quantities; null: the load step was not judged
+    /// @param accuracy error estimates; null: the load step has none
     void
     add_step(const Snapshot<dim> &now,
              const NewtonReport  &report,
              unsigned int         multigrid_cycles,
              const Json          &accuracy);
-    /// @param seconds and cycles of the solution with contact
+    /// Record the comparison with a linear problem without contact.
+    /// @param linear its costs
+    /// @param seconds of the solution with contact
+    /// @param cycles of multigrid of the solution with contact
     void
     add_linear_reference(const LinearReference &linear, double seconds, double cycles);
-    /// What the scene has become; called again when that changes.
+    /// Record the sizes of the model; called again when they change. Collective.
+    /// @param elasticity the model
+    /// @param surfaces contact surfaces of all pairs
+    /// @param contact the gap operator
+    /// @param skipped_items what was omitted
     void
     add_sizes(const Elasticity<dim>                  &elasticity,
               const std::vector<ContactSurface<dim>> &surfaces,
               const GapOperator                      &contact,
               const std::vector<std::string>         &skipped_items);
 
-    /// The load step that was not solved: its last iterate, where `active` is 2 at contact points
-    /// that change to and fro. Collective.
+    /// Record a load step that was not solved, with its last iterate, whose status is 2 at contact
+    /// points that alternate. Collective.
+    /// @param now the last iterate
+    /// @param report of Newton's method
     void
     add_failure(const Snapshot<dim> &now, const NewtonReport &report);
 
-    /// The end. A run that has converged is compared with what the scene expects. @param text gets
-    /// the summary for a person. Collective.
-    /// @param is_interrupted from outside
+    /// Complete the results at the end of the run, and compare a converged solution with what the
+    /// scene expects. Collective.
+    /// @param report of Newton's method at the last load step
+    /// @param text receives the summary
+    /// @param is_interrupted whether the run was interrupted from outside
+    /// @return the exit code of the program
     ExitCode
     finish(const NewtonReport &report, std::ostream &text, bool is_interrupted = false);
 
-    /// The end of a run that ends with an error. Not collective.
+    /// Record that the run ends with an error. Not collective.
+    /// @param why the error
     void
     stop(const std::string &why);
 
@@ -148,8 +189,11 @@ namespace Signorini
     Writer<dim>                writer;
     Json                       results;
     Verdict                    verdict;
-    Json                       seconds_before;    ///< of processes before this one
-    double                     largest_force = 0; ///< of all load steps so far
-    double written_at = 0, writing_takes = 0;     ///< seconds: the file grows from step to step
+    /// Times of earlier processes of this run.
+    Json seconds_before;
+    /// Largest force of all load steps so far.
+    double largest_force = 0;
+    /// When results.json was last written [s since the start], and how long that took [s].
+    double written_at = 0, writing_takes = 0;
   };
 } // namespace Signorini

@@ -33,22 +33,26 @@ namespace Signorini
       return list(std::vector<double>(&moment[0], &moment[0] + (dim == 2 ? 1 : 3)));
     }
 
-    /// What a pair exerts on what the scene calls its slave.
+    /// The force of a pair on the body that the scene names as slave (also if the sides were
+    /// exchanged).
     template <int dim>
     struct PairForce
     {
-      Resultant<dim> resultant;                          ///< on the slave
-      Tensor<1, 3>   reaction_moment;                    ///< on the master
-      double         normal_force = 0, sum_of_sizes = 0; ///< of the points
+      /// Force and moment on the slave.
+      Resultant<dim> resultant;
+      /// Moment on the master.
+      Tensor<1, 3> reaction_moment;
+      /// Sum of pressure times weight, and of its absolute value, over all points.
+      double normal_force = 0, sum_of_sizes = 0;
     };
 
-    /// Collective.
+    /// @return the force of a pair. Collective.
     template <int dim>
     PairForce<dim>
     force_of(const Snapshot<dim> &s, const unsigned int pair)
     {
       PairForce<dim> sum;
-      // Around the axis radial forces are in balance, and so are moments.
+      // Radial forces and moments of axisymmetric models balance around the axis.
       const bool on_circles = s.elasticity.model() == Model::axisymmetric;
       const bool exchanged  = s.pairs[pair].exchanged;
       auto       which      = s.contact.origin.pair.begin();
@@ -81,14 +85,16 @@ namespace Signorini
       return sum;
     }
 
-    /// Sums over the points of one pair.
+    /// Sums and extreme values over the points of one pair.
     struct PairSums
     {
       double       active_points = 0, points = 0;
       ContactPatch patch;
-      double       pressure  = 0; ///< the largest
-      double       sharpness = 0; ///< sharpness_of_peak()
-      // Of each, the maximum.
+      /// Largest pressure.
+      double pressure = 0;
+      /// sharpness_of_peak().
+      double sharpness = 0;
+      // Maxima over all points.
       double penetration = 0, minus_gap = -std::numeric_limits<double>::max(), tension = 0,
              complementarity = 0;
 
@@ -102,7 +108,8 @@ namespace Signorini
       }
     };
 
-    /// By how much the gap is not what it has to be, if positive.
+    /// @return by how much a gap violates its condition, if positive: the penetration, or the
+    /// distance for pairs without separation.
     template <int dim>
     double
     violation(const ContactPair<dim> &pair, const double gap)
@@ -110,6 +117,7 @@ namespace Signorini
       return pair.can_separate ? -gap : std::abs(gap);
     }
 
+    /// @return the sums of one pair. Collective.
     template <int dim>
     PairSums
     sums_of(const Snapshot<dim> &s, const unsigned int pair)
@@ -136,6 +144,7 @@ namespace Signorini
       return sums;
     }
 
+    /// @return the extent of the contact zone along the directions of the pair.
     template <int dim>
     Json
     extents(const ContactPair<dim> &pair, const ContactPatch &patch)
@@ -151,8 +160,8 @@ namespace Signorini
       return result;
     }
 
-    /// How well the conditions of Hertz, Signorini and Moreau hold (doc/theory, 1.3) at each
-    /// contact point, where methods that sample at nodes need not fulfil them.
+    /// @return the largest violations of the Hertz-Signorini-Moreau conditions (doc/theory, 1.3) at
+    /// the contact points, where methods that sample at nodes need not satisfy them. Collective.
     template <int dim>
     Json
     conditions_at_points(const Snapshot<dim> &s, const unsigned int pair)
@@ -214,7 +223,7 @@ namespace Signorini
 
   namespace
   {
-    /// Motion of the moving obstacles, and what they exert on the bodies.
+    /// @return the motions of moving obstacles, and their forces on the bodies.
     template <int dim>
     Json
     obstacle_results(const Snapshot<dim> &s)
@@ -264,7 +273,8 @@ namespace Signorini
 
   namespace
   {
-    /// The forces that Newton's method may leave of bodies that are moved without strain.
+    /// @return the size of forces that Newton's method may leave for bodies that move without
+    /// strain.
     template <int dim>
     double
     rounding_of_forces(const Snapshot<dim> &s, const double tolerance)
@@ -278,8 +288,8 @@ namespace Signorini
              (is_plane ? 1. : mesh.size());
     }
 
-    /// Of the scene: about the origin, what the forces lack of balance would have the arm from
-    /// there. Around the axis there is none.
+    /// @return the moment about the centre of the model: about the origin, unbalanced forces would
+    /// have the distance from there as lever. In axisymmetric models it is zero.
     template <int dim>
     Tensor<1, 3>
     moment_about_middle(const Elasticity<dim> &elasticity, const Resultant<dim> &resultant)
@@ -317,7 +327,7 @@ namespace Signorini
         if (const auto master = mesh.body_of(names.named_master()))
           on_bodies[*master] += {-force.resultant.force, force.reaction_moment};
       }
-    // What rounding alone would leave is in balance, whatever its directions are.
+    // Forces of the size of rounding count as balanced, whatever their directions are.
     if (largest <= rounding_of_forces(s, tolerance))
       {
         on_bodies.assign(mesh.n_bodies(), {});

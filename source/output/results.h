@@ -6,32 +6,39 @@
 
 namespace Signorini
 {
-  /// Per contact pair: force and moment (about the origin) on the slave, contact area, and how well
-  /// the Hertz-Signorini-Moreau conditions (doc/theory, 1.3) hold. Forces act on the slave;
-  /// pressure is positive in compression.
+  /// @return for each contact pair: force and moment (about the origin) on the slave, contact area,
+  /// and how well the Hertz-Signorini-Moreau conditions (doc/theory, 1.3) are satisfied. Pressure
+  /// is positive in compression. Collective.
+  /// @param snapshot the solution
   template <int dim>
   Json
   pair_results(const Snapshot<dim> &snapshot);
 
-  /// Per support the force that it exerts, the total load, the largest of all forces on the
-  /// bodies (of pairs: the sum of their sizes), and the balance of each body and of all: the sum of
-  /// what acts divided by that, of moments by that and the size of the scene.
+  /// @return for each support its force on the bodies; the total load; the largest of all forces on
+  /// the bodies (for pairs: the sum of their absolute values); and the balance of each body and of
+  /// all, i.e. the resultant divided by the largest force, and for moments also by the size of the
+  /// model. Collective.
+  /// @param snapshot the solution
+  /// @param tolerance of Newton's method
   template <int dim>
   Json
   force_results(const Snapshot<dim> &snapshot, double tolerance);
 
-  /// Numbers of cells, of ghost cells and of faces to them, of degrees of freedom, slave faces and
-  /// contact points of each rank. Collective.
+  /// @return the numbers of cells, ghost cells, faces to ghost cells, degrees of freedom, slave
+  /// faces and contact points of each rank. Collective.
+  /// @param elasticity the model
+  /// @param surfaces contact surfaces of all pairs
   template <int dim>
   Json
   shares_of_ranks(const Elasticity<dim>                  &elasticity,
                   const std::vector<ContactSurface<dim>> &surfaces);
 
-  /// Peak memory of each rank in MB.
+  /// @return the peak memory [MB] of each rank. Collective.
+  /// @param comm the ranks
   Json
   peak_memory(MPI_Comm comm);
 
-  /// deal.II, Trilinos, p4est, MPI.
+  /// @return the versions of deal.II, Trilinos, p4est and MPI.
   Json
   library_versions();
 } // namespace Signorini

@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return an array as text.
     std::string
     numbers(const Json &list)
     {
@@ -23,6 +24,7 @@ namespace Signorini
       return text.str() + ")";
     }
 
+    /// @return the three violations of the contact conditions as text.
     std::string
     violations(const Json &conditions)
     {

@@ -7,8 +7,10 @@
 
 namespace Signorini
 {
-  /// The main figures of a run, for a person: contact of each pair at the last load step, forces,
-  /// where the time went.
+  /// Print the main results of a run: contact of each pair at the last load step, forces, and
+  /// times.
+  /// @param results the contents of results.json
+  /// @param out the stream
   void
   print_summary(const nlohmann::ordered_json &results, std::ostream &out);
 } // namespace Signorini

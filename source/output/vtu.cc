@@ -17,8 +17,8 @@ namespace Signorini
 
   namespace
   {
-    /// Columns of the data that the postprocessor computes: von Mises, the stress row by row, and
-    /// the principal stresses.
+    /// Columns of the data that the postprocessor computes: von Mises stress, the stress row by
+    /// row, and the principal stresses.
     enum Column : unsigned int
     {
       mises,
@@ -31,7 +31,7 @@ namespace Signorini
 
 
 
-    /// All of the stress, from the displacement.
+    /// Computes all stress quantities from the displacement.
     template <int dim>
     class StressPostprocessor : public DataPostprocessor<dim>
     {
@@ -75,8 +75,8 @@ namespace Signorini
         return names;
       }
 
-      // deal.II's tensors have dim * dim components, and no place for sigma_zz of plane strain or
-      // the hoop: Bodies joins nine of these to one.
+      // Tensors of deal.II have dim * dim components, without sigma_zz of plane strain or the hoop
+      // stress: the class Bodies combines nine scalars to one tensor.
       std::vector<DataComponentInterpretation::DataComponentInterpretation>
       get_data_component_interpretation() const override
       {
@@ -95,11 +95,13 @@ namespace Signorini
 
 
 
-    /// Joins the components of the stress.
+    /// The output of bodies, with the components of the stress as one tensor.
     template <int dim>
     class Bodies : public DataOut<dim>
     {
     public:
+      /// Write the files.
+      /// @return the name of the record
       std::string
       write(const PieceSettings &settings, const MPI_Comm comm) const
       {
@@ -128,6 +130,7 @@ namespace Signorini
 
 
 
+    /// @return the names of all bodies.
     template <int dim>
     std::vector<std::string>
     names_of_bodies(const Mesh<dim> &mesh)
@@ -140,6 +143,7 @@ namespace Signorini
 
 
 
+    /// @return the index of the body of each locally owned cell.
     template <int dim>
     Vector<float>
     body_of_cells(const Mesh<dim> &mesh)

@@ -9,26 +9,32 @@
 
 namespace Signorini
 {
-  /// Writes the files that can be looked at: in `directory` solution.pvd and contact.pvd with one
-  /// entry a step (unless settings.vtu is false), and the profiles of each step.
+  /// Writes the files for visualisation: in `directory` solution.pvd and contact.pvd with one entry
+  /// for each step (unless settings.vtu is false), and the profiles of each step.
   template <int dim>
   class Writer
   {
   public:
-    /// @param directory is there, see OutputDirectory
+    /// @param settings of the output
+    /// @param directory which exists, see OutputDirectory
+    /// @param comm the ranks
     Writer(const OutputSettings<dim> &settings, const std::string &directory, MPI_Comm comm);
 
-    /// @param reference_pressure formula, written beside the pressure in profiles; may be empty.
-    /// Collective.
+    /// Write the files of a load step. Throws OutputError. Collective.
+    /// @param snapshot the solution
+    /// @param reference_pressure formula that is evaluated beside the pressure in profiles; may be
+    /// empty
     void
     write(const Snapshot<dim> &snapshot, const Formula &reference_pressure);
 
-    /// Only the contact surfaces, as failed_STEP.pvtu, unless settings.vtu is false. Collective.
+    /// Write the contact surfaces of a load step that was not solved, as failed_STEP.pvtu, unless
+    /// settings.vtu is false. Throws OutputError. Collective.
+    /// @param snapshot the last iterate
     void
     write_failure(const Snapshot<dim> &snapshot);
 
-    /// Of a run that goes on: the load steps that have their files.
-    /// @param times of each, and its number
+    /// Restore the records of a run that is continued.
+    /// @param times time and number of each load step that has files
     void
     restore(const std::vector<std::pair<double, unsigned int>> &times);
 

@@ -23,6 +23,7 @@ namespace Signorini
 
 
 
+  // The default method is the one that is taken for "auto".
   std::string
   ContactSettings::chosen_name() const
   {
@@ -98,7 +99,9 @@ namespace Signorini
   {
     const Rule rule   = integration.value_or(chosen().usual_integration());
     const bool weighs = chosen().sampling() == Sampling::nodes;
-    // Nodes are those of the slave, and forces at points push its nodes: it has to follow them all.
+    // The number of points follows from the degree of the slave alone where its nodes are sampled,
+    // or where forces at points act on its nodes, which have to resolve them; otherwise from the
+    // larger degree of both bodies.
     const bool         of_slave = rule == Rule::nodes || (rule == Rule::quadrature && !weighs);
     const unsigned int degree   = of_slave ? slave : std::max(slave, master);
     const unsigned int usual    = rule == Rule::quadrature && weighs ? degree + 3 : degree + 1;

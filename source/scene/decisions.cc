@@ -9,11 +9,12 @@ namespace Signorini
 {
   namespace
   {
-    /// From here on degree 1 is too stiff by several per cent, and multigrid takes twice the
-    /// iterations.
+    /// Poisson's ratio from which degree 1 is too stiff by several per cent, and multigrid takes
+    /// twice the number of iterations.
     constexpr double nearly_incompressible = 0.48;
 
-    /// Mesh/Degree as the bodies take it: with Method = auto nobody has chosen it unless it is set.
+    /// @return Mesh/Degree as it holds for bodies: with Method = auto it counts as not chosen
+    /// unless it is set.
     template <int dim>
     unsigned int
     degree_of_all(const Scene<dim> &scene)
@@ -21,8 +22,8 @@ namespace Signorini
       return scene.contact.is_automatic() && !scene.degree_is_set ? 0 : scene.degree;
     }
 
-    /// What keeps a material from a displacement-pressure formulation, and the cure; empty:
-    /// nothing.
+    /// @return why a material cannot be in displacement-pressure form, and what to do about it;
+    /// empty if it can.
     template <int dim>
     std::string
     obstacle_to_mixed(const Scene<dim> &scene, const Body<dim> &body, const Material &material)
@@ -40,9 +41,10 @@ namespace Signorini
       return {};
     }
 
-    /// Those that the user wants to be mixed are, and those that displacements alone would lock or
-    /// take hundreds of iterations for, if nothing in the scene is against it. Throws SceneError
-    /// where that is impossible. @param place of the material in the scene
+    /// @return whether a material is in displacement-pressure form: if the user has chosen it, or
+    /// if it is nearly incompressible and nothing in the scene prevents it. Throws SceneError where
+    /// it is impossible or required.
+    /// @param place of the material in the scene
     template <int dim>
     bool
     is_up_formulation(const Scene<dim>  &scene,
@@ -63,7 +65,8 @@ namespace Signorini
       return result;
     }
 
-    /// Nothing but cells of degree 1 that lock would be refined for a quantity, without end.
+    /// @return whether a body must have degree 2: with degree 1, locking would let the refinement
+    /// for a quantity continue without end.
     template <int dim>
     bool
     needs_degree_2(const Scene<dim> &scene, const Material &material)
@@ -75,8 +78,9 @@ namespace Signorini
 
 
 
-  // The method by the curves of doc/benchmarks/accuracy.md: with multipliers nothing is left to
-  // choose and nothing overlaps, at the price of the others.
+  // For "auto", the method follows from the measurements of doc/benchmarks/accuracy.md: with
+  // multipliers there is no parameter and no penetration, at the same cost as other methods.
+  // Degrees are chosen body by body.
   template <int dim>
   Decisions<dim>::Decisions(const Scene<dim> &scene)
     : scene(scene)
@@ -158,7 +162,7 @@ namespace Signorini
   Decisions<dim>::integration_of(const ContactPair<dim> &pair) const
   {
     const unsigned int slave = degree_of(pair.slave), master = degree_of(pair.master);
-    // Without bias each is the slave once.
+    // In an unbiased method each surface is the slave once.
     const unsigned int largest = std::max(slave, master);
     return scene.contact.chosen().unbiased() ?
              scene.contact.integration_of_degrees(largest, largest) :
@@ -219,6 +223,7 @@ namespace Signorini
 
 
 
+  // Features that exist at small strain only.
   template <int dim>
   void
   Decisions<dim>::check_finite_strain() const
@@ -248,6 +253,7 @@ namespace Signorini
 
 
 
+  // Choices are repeated from the original scene, since present ones may already have changed.
   template <int dim>
   Scene<dim>
   Decisions<dim>::explicit_scene() const

@@ -8,80 +8,93 @@
 
 namespace Signorini
 {
-  /// What the program decides about a scene, beside what the user said in it: before there is a
-  /// mesh (degrees, formulations, the method), on the mesh (which pairs there are, which side is
-  /// the slave), and by solutions (finite strain, higher degrees, stiffer penalties). The scene
-  /// itself never changes after it was read.
+  /// The choices of the program for a scene, in addition to those of the user: before there is a
+  /// mesh (degrees, formulations, the method), on the mesh (pairs, slave side), and after solutions
+  /// (finite strain, higher degrees, larger penalties). The scene itself is not changed after it
+  /// was read.
   template <int dim>
   struct Decisions
   {
-    /// Decide all that needs no mesh. Keeps a reference to the scene. Throws SceneError where a
-    /// formulation is impossible.
+    /// Make all choices that need no mesh. Throws SceneError where a formulation is impossible.
+    /// @param scene to which the object refers
     explicit Decisions(const Scene<dim> &scene);
 
     const Scene<dim> &scene;
 
-    /// Those of the scene with the slave that was chosen; none while they are still to be found.
+    /// The pairs of the scene, with slave and master as they were chosen; empty while they are
+    /// still to be found.
     std::vector<ContactPair<dim>> pairs;
-    bool                          pairs_are_open; ///< Names = auto, and there was no mesh yet
+    /// Whether pairs are to be found automatically, and there was no mesh yet.
+    bool pairs_are_open;
 
-    std::vector<unsigned int> degrees;      ///< of the displacement, one a body
-    std::vector<bool>         open_degrees; ///< one a body: degree 1 that may become 2 for a target
+    /// Polynomial degree of the displacement of each body.
+    std::vector<unsigned int> degrees;
+    /// For each body whether its degree is 1 and may become 2 for a target.
+    std::vector<bool> open_degrees;
 
-    /// Degree 2 from here on.
+    /// Set the degree of a body to 2.
+    /// @param body its index
     void
     raise_degree(unsigned int body);
 
-    /// Displacement and pressure are unknowns, one flag a material of each body, see materials().
+    /// For each body and each of its materials, see materials(), whether it is in
+    /// displacement-pressure form.
     std::vector<std::vector<bool>> has_pressure_field;
 
-    bool   finite_strain  = false;
-    double penalty_factor = 1; ///< of all penalties, beside those that the user set
+    bool finite_strain = false;
+    /// Factor of all penalties, in addition to those that the user has set.
+    double penalty_factor = 1;
 
-    /// What was chosen before there was a mesh, and why, in words; empty: nothing.
+    /// A text about the choices that needed no mesh; empty if there were none.
     std::string reason;
 
-    /// What a body consists of: its own material and those of its sets of cells, in the order of
-    /// their ids, with the formulation, and the law of finite strain if that is decided.
+    /// @return the materials of a body, its own and those of its sets of cells, in the order of
+    /// their ids, with their formulation, and with the law of finite strain if that is used.
+    /// @param body its index
     std::vector<Material>
     materials(unsigned int body) const;
 
-    /// Degree of the body that a boundary BODY.BOUNDARY belongs to; 0 for obstacles.
+    /// @return the degree of the body of a boundary; 0 for obstacles.
+    /// @param surface BODY.BOUNDARY
     unsigned int
     degree_of(const std::string &surface) const;
 
+    /// @return the integration of a pair.
+    /// @param pair of the scene
     Integration
     integration_of(const ContactPair<dim> &pair) const;
 
-    /// Quantities of Accuracy/Quantity. Throws SceneError for those that the scene has not.
+    /// @return the quantities of interest. Throws SceneError for names that do not exist in the
+    /// scene.
     std::vector<QuantityName>
     quantities() const;
 
-    /// Share of the pressure that contact on the surfaces at rest may neglect: that of the scene,
-    /// or less, so that it is not what a target fails for.
+    /// @return the relative change of the pressure that contact in the reference configuration may
+    /// neglect: that of the scene, or less, so that a target cannot fail because of it.
     double
     geometry_tolerance() const;
 
-    /// Throws SceneError where decisions and scene contradict each other: method, integration and
-    /// degree, what does not go with finite strain, quantities that do not exist.
+    /// Throws SceneError where choices and scene contradict each other: method, integration and
+    /// degree, features that do not exist at finite strain, quantities that do not exist.
     void
     check() const;
 
-    /// The scene with what needed no mesh to be decided as if the user had said it.
+    /// @return the scene with all choices that needed no mesh as explicit values.
     Scene<dim>
     explicit_scene() const;
 
-    /// What a restart could not decide again by itself, but for the pairs, which
-    /// ContactInterfaces::save() has.
+    /// @return the choices that a restart could not repeat, except for the pairs, which
+    /// ContactInterfaces::save() contains.
     nlohmann::ordered_json
     save() const;
 
-    /// @param saved by save(), of the same scene
+    /// Restore choices.
+    /// @param saved result of save() for the same scene
     void
     load(const nlohmann::ordered_json &saved);
 
   private:
-    /// Throws SceneError for what does not go with finite strain.
+    /// Throws SceneError for features that do not exist at finite strain.
     void
     check_finite_strain() const;
   };

@@ -13,6 +13,8 @@ namespace Signorini
   {
     using Sentences = std::map<std::string, std::string>;
 
+    /// @return the sentence about a name; an error of the program if there is none, so that new
+    /// names are not forgotten.
     const std::string &
     sentence(const Sentences &sentences, const std::string &name)
     {

@@ -5,7 +5,8 @@
 
 namespace Signorini
 {
-  // One sentence on each thing that is chosen by its name, for the template and the reference.
+  // One sentence about each generator, shape, method, rule and preconditioner that is chosen by its
+  // name, for the template and the reference. Each function throws if there is none.
 
   std::string
   about_mesh(const std::string &generator);

@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the centre and the corners of a box.
     template <int dim>
     std::vector<Point<dim>>
     corners_and_center(const BoundingBox<dim> &extent)
@@ -29,7 +30,8 @@ namespace Signorini
       return points;
     }
 
-    /// Of what is prescribed at time t.
+    /// @return the largest prescribed displacement of supports plus that of obstacles at time t,
+    /// evaluated at some points.
     template <int dim>
     double
     prescribed_motion(const Scene<dim>              &scene,
@@ -52,8 +54,8 @@ namespace Signorini
       return supports + obstacles;
     }
 
-    /// By thermal expansion, as a strain: of the body that grows or shrinks most. Temperatures may
-    /// be those of a place inside, and senseless outside of their body.
+    /// @return the largest thermal strain of any body at time t. Fields that are not finite outside
+    /// of their body are skipped.
     template <int dim>
     double
     largest_expansion(const Scene<dim>              &scene,
@@ -80,7 +82,7 @@ namespace Signorini
       return largest;
     }
 
-    /// 5 a direction, for formulas that vary inside.
+    /// @return five points in each direction of a box, for formulas that vary inside.
     template <int dim>
     std::vector<Point<dim>>
     lattice(const BoundingBox<dim> &extent)
@@ -97,7 +99,8 @@ namespace Signorini
       return points;
     }
 
-    /// As a stress.
+    /// @return the largest load at time t as a stress: forces are divided by an area of the size of
+    /// the model, body forces are multiplied by that size.
     template <int dim>
     double
     largest_load(const Scene<dim>              &scene,
@@ -120,6 +123,8 @@ namespace Signorini
 
 
 
+  // The sum of prescribed motion, elastic and thermal deformation, as the maximum over the ends of
+  // all load steps.
   template <int dim>
   double
   expected_motion(const Scene<dim> &scene, const BoundingBox<dim> &extent)

@@ -7,9 +7,11 @@
 
 namespace Signorini
 {
-  /// How far bodies and obstacles are likely to move within the load history: what is prescribed,
-  /// what the loads would do to a cube of the softest material, and by how much temperatures change
-  /// the size of the scene. A guess, from formulas at a few points of the scene.
+  /// @return an estimate of the largest motion [length] of bodies and obstacles in the load
+  /// history: prescribed motions, the deformation of a cube of the softest material by the loads,
+  /// and thermal expansion, by formulas at a few points.
+  /// @param scene the scene
+  /// @param extent bounding box of all bodies
   template <int dim>
   double
   expected_motion(const Scene<dim> &scene, const dealii::BoundingBox<dim> &extent);

@@ -18,7 +18,7 @@ namespace Signorini
 
   namespace
   {
-    /// A number, not a formula that may become zero.
+    /// @return whether a formula is the constant zero.
     bool
     is_zero(const CompiledFormula &formula)
     {
@@ -96,7 +96,7 @@ namespace Signorini
 
   namespace
   {
-    /// What stands after `part` in a list or under that name; null if nothing does.
+    /// @return the entry of a list or object; null if there is none.
     const Json *
     below(const Json &tree, const std::string &part)
     {
@@ -110,7 +110,7 @@ namespace Signorini
       return index < tree.size() ? &tree[index] : nullptr;
     }
 
-    /// The end of a path of names and numbers of list entries; null if there is none.
+    /// @return the entry at a path of names and indices; null if there is none.
     const Json *
     at_path(const Json &tree, const std::string &path)
     {
@@ -120,6 +120,8 @@ namespace Signorini
       return place;
     }
 
+    /// @return the number at a path in the last load step, or else in the results. Throws
+    /// SceneError if there is none.
     double
     number_at(const Json &results, const std::string &path, const std::string &name)
     {
@@ -132,7 +134,8 @@ namespace Signorini
                        "' in results.json");
     }
 
-    /// Lists whose length, or whose existence, only the solution knows.
+    /// @return whether a path begins with an entry whose length or existence depends on the
+    /// solution, so that it cannot be checked in advance.
     bool
     is_open(const std::string &first, const std::vector<std::string> &whole)
     {
@@ -143,6 +146,7 @@ namespace Signorini
       return std::find(whole.begin(), whole.end(), first) != whole.end();
     }
 
+    /// @return one line of the table.
     std::string
     row(const std::string &name,
         const std::string &value,
@@ -158,6 +162,7 @@ namespace Signorini
       return text.str();
     }
 
+    /// @return a number as text.
     std::string
     text(const double x, const int digits)
     {
@@ -184,7 +189,7 @@ namespace Signorini
           const Json *const end = at_path(step, path);
           if (end && (end->is_number() || end->is_null()))
             continue;
-          // As far as the path is right, what might follow.
+          // Find the part of the path that exists, and list what may follow it.
           const Json *place = &step;
           std::string known;
           for (const std::string &part : split(path, '/'))

@@ -81,7 +81,8 @@ namespace Signorini
 
   namespace
   {
-    /// f(object) for all objects at a path of parts from the given one on.
+    /// Call f(object) for all objects at a path, from its part `first` on; the part `*` stands for
+    /// all entries.
     template <typename F>
     void
     at_all(Json &tree, const std::vector<std::string> &parts, const unsigned int first, const F &f)
@@ -101,6 +102,7 @@ namespace Signorini
         at_all(tree[parts[first]], parts, first + 1, f);
     }
 
+    /// @return whether a path begins with a pattern, in which `*` stands for any part.
     bool
     begins_with(const std::vector<std::string> &path, const std::vector<std::string> &pattern)
     {
@@ -112,7 +114,7 @@ namespace Signorini
       return true;
     }
 
-    /// Exchanges the last part of the pattern.
+    /// Replace the part of a path at the end of a matching pattern.
     void
     exchange(std::vector<std::string>       &path,
              const std::vector<std::string> &pattern,
@@ -154,7 +156,7 @@ namespace Signorini
       for (unsigned int of_last = 0; of_last < 2; ++of_last)
         {
           exchange(parts, split(parent.empty() ? former : parent + "/" + former, '/'), now);
-          // The last load step goes without saying.
+          // Paths may be relative to the last load step.
           if (parent.compare(0, steps.size(), steps) != 0)
             break;
           parent = parent.size() > steps.size() ? parent.substr(steps.size() + 1) : "";
@@ -162,7 +164,7 @@ namespace Signorini
     };
     for (const auto &[parent, former, now] : former_entries())
       entry(parent, former, now);
-    // Lists of components, once.
+    // Stress components were lists in former releases.
     const std::vector<std::string> components =
       dim == 2 ? std::vector<std::string>{"xx", "yy", "xy", "zz"} :
                  std::vector<std::string>{"xx", "yy", "zz", "xy", "xz", "yz"};

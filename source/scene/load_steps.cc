@@ -10,7 +10,7 @@ namespace Signorini
 {
   namespace
   {
-    /// But for rounding.
+    /// @return whether two times are equal up to rounding.
     bool
     are_one(const double t, const double other)
     {
@@ -78,6 +78,7 @@ namespace Signorini
 
 
 
+  // Changes of supports are ends of load steps too, unless they coincide with one.
   std::vector<double>
   LoadSteps::ends() const
   {

@@ -33,11 +33,12 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
   them with their places.
 )";
 
-    /// A section as it is in either dimension; null where it is not there.
+    /// A section in 2D and in 3D; null where it does not exist.
     struct SectionPair
     {
       const SectionDescription *two, *three;
 
+      /// @return the section in one of the dimensions in which it exists.
       const SectionDescription &
       any() const
       {
@@ -45,6 +46,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       }
     };
 
+    /// @return a subsection; null if there is none.
     const SectionDescription *
     find(const SectionDescription *section, const std::string &name)
     {
@@ -55,6 +57,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return nullptr;
     }
 
+    /// @return a key of a section; null if there is none.
     const KeyDescription *
     find_key(const SectionDescription *section, const std::string &key)
     {
@@ -65,13 +68,15 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return nullptr;
     }
 
+    /// @return a subsection in both dimensions.
     SectionPair
     child(const SectionPair &section, const std::string &name)
     {
       return {find(section.two, name), find(section.three, name)};
     }
 
-    /// Names in the order of 3D, then those of 2D alone.
+    /// @return the names of items of two lists, in the order of 3D, followed by those that exist in
+    /// 2D only.
     template <typename List, typename Name>
     std::vector<std::string>
     united(const List *two, const List *three, const Name &name)
@@ -85,6 +90,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return names;
     }
 
+    /// @return the names of all keys of a section.
     std::vector<std::string>
     key_names(const SectionPair &section)
     {
@@ -93,6 +99,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
                     [](const KeyDescription &key) { return key.key; });
     }
 
+    /// @return the names of all subsections of a section.
     std::vector<std::string>
     section_names(const SectionPair &section)
     {
@@ -101,13 +108,14 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
                     [](const SectionDescription &one) { return one.name; });
     }
 
+    /// @return a text in backquotes; nothing if it is empty.
     std::string
     code(const std::string &text)
     {
       return text.empty() ? "" : "`" + text + "`";
     }
 
-    /// In a cell of a table.
+    /// @return a text with bars escaped, for the cell of a table.
     std::string
     escaped(const std::string &text)
     {
@@ -117,7 +125,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return result;
     }
 
-    /// "text [unit]" in two.
+    /// @return a help text "text [unit]" as two parts; the unit may be empty.
     std::pair<std::string, std::string>
     split_unit(const std::string &help)
     {
@@ -127,6 +135,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return {trim(help.substr(0, open)), help.substr(open + 1, help.size() - open - 2)};
     }
 
+    /// @return the type and range of a key, or its choices.
     std::string
     value_of(const KeyDescription &key)
     {
@@ -158,6 +167,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return split_unit(key.help).second;
     }
 
+    /// @return a text about a key; with both dimensions if they differ.
     template <typename F>
     std::string
     in_both(const KeyDescription *two, const KeyDescription *three, const F &text)
@@ -168,7 +178,8 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return a == b ? a : "2D: " + a + "; 3D: " + b;
     }
 
-    /// @param without keys that stand elsewhere
+    /// Print the table of the keys of a section.
+    /// @param without keys that are printed elsewhere
     void
     print_keys(const SectionPair              &section,
                std::ostream                   &out,
@@ -184,7 +195,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
         {
           const KeyDescription *two   = find_key(section.two, name),
                                *three = find_key(section.three, name);
-          // Said only where the whole section is in both.
+          // The dimension of a key is mentioned only if the section exists in both.
           const std::string where = !section.two || !section.three || (two && three) ? "" :
                                     two                                              ? " (2D)" :
                                                                                        " (3D)";
@@ -194,12 +205,14 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
         }
     }
 
+    /// Print a heading.
     void
     heading(const unsigned int level, const std::string &text, std::ostream &out)
     {
       out << "\n" << std::string(level, '#') << " " << text << "\n";
     }
 
+    /// @return the description of the keys that an object declares.
     template <typename Object>
     SectionDescription
     described(Object &object)
@@ -217,13 +230,15 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return std::find(words.begin(), words.end(), word) != words.end();
     }
 
+    /// @return a text about the dimensions in which something exists; empty for both.
     std::string
     dimensions(const bool two, const bool three)
     {
       return two && three ? "" : two ? " (2D)" : " (3D)";
     }
 
-    /// The boundaries of each part: "`arc` (full); `arc`, `top` (lower half)".
+    /// @return the boundaries of a generator for each of its parts: "`arc` (full); `arc`, `top`
+    /// (lower half)". The generator is asked for each value of the key Part.
     template <int dim>
     std::string
     boundaries_of(const std::string &generator)
@@ -257,6 +272,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return join(texts, "; ");
     }
 
+    /// Print the section of a mesh generator.
     void
     print_mesh(const std::string &name, const unsigned int level, std::ostream &out)
     {
@@ -282,6 +298,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       print_keys({two ? &keys_2 : nullptr, three ? &keys_3 : nullptr}, out);
     }
 
+    /// Print the section of a shape of obstacles.
     void
     print_shape(const std::string &name, const unsigned int level, std::ostream &out)
     {
@@ -292,6 +309,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       print_keys({&two, &three}, out);
     }
 
+    /// Print the choices of a key with one sentence about each.
     template <typename About>
     void
     print_choices(const std::string              &key,
@@ -310,13 +328,15 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
                   unsigned int       level,
                   std::ostream      &out);
 
-    /// What a section has beside its own keys and sections; `without`: keys that belong there.
+    /// @return the keys of the default generator or shape, which a section contains in addition to
+    /// its own.
     std::vector<std::string>
     keys_of_first(const SectionDescription &two, const SectionDescription &three)
     {
       return key_names({&two, &three});
     }
 
+    /// Print the section of a body, followed by those of all generators.
     void
     print_body(const SectionPair &section, const unsigned int level, std::ostream &out)
     {
@@ -330,6 +350,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
         print_mesh(name, level + 1, out);
     }
 
+    /// Print the section of an obstacle, followed by those of all shapes.
     void
     print_obstacle(const SectionPair &section, const unsigned int level, std::ostream &out)
     {

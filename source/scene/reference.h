@@ -5,7 +5,8 @@
 
 namespace Signorini
 {
-  /// All sections and keys of both dimensions, as the page doc/guide/reference.md.
+  /// Print all sections and keys of both dimensions, which is the page doc/guide/reference.md.
+  /// @param out the stream
   void
   print_reference(std::ostream &out);
 } // namespace Signorini

@@ -85,6 +85,7 @@ namespace Signorini
 
   namespace
   {
+    /// Declare the section of expected results.
     void
     declare_expected(Section                     &section,
                      std::vector<ExpectedResult> &expected,
@@ -101,6 +102,8 @@ namespace Signorini
 
 
 
+  // In the order of the data: later sections may refer to names of earlier ones. The same function
+  // reads a scene, writes it with defaults, and describes the keys.
   template <int dim>
   void
   Scene<dim>::declare(Section &section)
@@ -223,6 +226,7 @@ namespace Signorini
 
 
 
+  // Messages of files that several bodies use are reported once.
   template <int dim>
   void
   Scene<dim>::read_files(const std::string &folder)

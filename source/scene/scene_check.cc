@@ -10,6 +10,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return all names BODY.BOUNDARY.
     template <int dim>
     std::vector<std::string>
     boundary_names(const std::vector<Body<dim>> &bodies)
@@ -21,6 +22,7 @@ namespace Signorini
       return names;
     }
 
+    /// @return all names BODY.SET of node sets.
     template <int dim>
     std::vector<std::string>
     node_set_names(const std::vector<Body<dim>> &bodies)
@@ -32,6 +34,7 @@ namespace Signorini
       return names;
     }
 
+    /// @return all names BODY.SET of cell sets.
     template <int dim>
     std::vector<std::string>
     cell_set_names(const std::vector<Body<dim>> &bodies)
@@ -43,7 +46,7 @@ namespace Signorini
       return names;
     }
 
-    /// BODY.NUMBER of a node of a mesh file.
+    /// @return whether a name is BODY.NUMBER of a node of a mesh file.
     template <int dim>
     bool
     is_node_number(const std::vector<Body<dim>> &bodies, const std::string &name)
@@ -54,7 +57,8 @@ namespace Signorini
       return false;
     }
 
-    /// In one matrix, rounding of the stiff body is a force on the soft one.
+    /// Throws SceneError if the moduli of bodies differ so much that the rounding errors of the
+    /// stiff body are forces on the soft one.
     template <int dim>
     void
     check_contrast(const std::vector<Body<dim>> &bodies)
@@ -71,7 +75,7 @@ namespace Signorini
                          "', too much for double precision; model a rigid body as an obstacle");
     }
 
-    /// What keeps the symmetry about the axis: motions and forces along it.
+    /// Throws SceneError for motions of obstacles that violate axial symmetry.
     template <int dim>
     void
     check_axisymmetric(const Scene<dim> &scene)
@@ -91,7 +95,7 @@ namespace Signorini
         }
     }
 
-    /// What a generator made of pieces that touch must have, if it was not told what they are.
+    /// Throws SceneError if a mesh consists of touching pieces whose interaction is not specified.
     template <int dim>
     void
     check_pieces(const Scene<dim> &scene)
@@ -108,7 +112,8 @@ namespace Signorini
         }
     }
 
-    /// Twice the same conditions would not say how pressure is shared.
+    /// Throws SceneError if two pairs have the same surfaces: the distribution of the pressure
+    /// among them would not be determined.
     template <int dim>
     void
     check_same_pairs(const std::vector<ContactPair<dim>> &pairs)
@@ -121,7 +126,7 @@ namespace Signorini
                              pairs[i].name + "' have the same surfaces; remove one");
     }
 
-    /// The surface is free of itself at rest, and nothing holds its parts together.
+    /// Throws SceneError for keys that do not apply to self-contact.
     template <int dim>
     void
     check_self(const ContactPair<dim> &pair)
@@ -134,6 +139,7 @@ namespace Signorini
         throw SceneError(place + "requires Separation = allowed; remove Separation");
     }
 
+    /// Throws SceneError, with a similar name if there is one, for names that do not exist.
     void
     require(const std::string              &what,
             const std::vector<std::string> &wanted,

@@ -6,16 +6,17 @@
 
 namespace Signorini
 {
-  /// Something that a deck has and its scene has not.
+  /// A feature of an imported deck that its scene does not contain.
   struct SkippedItem
   {
-    /// "load", "support", "motion", "pair" and "body" are of what acts on bodies, or bears them,
-    /// "material" is of what resists, and "keyword" may be any of these; "model" is what this
-    /// program does without, as friction.
+    /// "load", "support", "motion", "pair" and "body" are features that act on bodies or support
+    /// them, "material" influences their stiffness, and "keyword" may be any of these; "model" is a
+    /// feature that the program does not model, such as friction.
     std::string kind;
-    std::string what; ///< with its places in the deck
+    /// Description, with positions in the deck.
+    std::string what;
 
-    /// Without it the solution may be another one altogether.
+    /// @return whether the solution may be entirely different without it.
     bool
     acts() const
     {
@@ -23,7 +24,8 @@ namespace Signorini
     }
   };
 
-  /// The list "KIND: what; KIND: what". Throws SceneError for another kind.
+  /// @return the items of a list "KIND: what; KIND: what". Throws SceneError for an unknown kind.
+  /// @param list the text
   std::vector<SkippedItem>
   skipped_in(const std::string &list);
 } // namespace Signorini

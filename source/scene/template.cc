@@ -16,7 +16,7 @@ namespace Signorini
 {
   namespace
   {
-    /// What has no default, and one item of each kind.
+    /// @return a scene with all keys that have no default, and one item of each kind.
     std::string
     example(const unsigned int dim)
     {
@@ -82,6 +82,7 @@ end
 )";
     }
 
+    /// @return the text of a scene with comments. `given` has the values that were set; null: none.
     template <int dim>
     std::string
     written(Scene<dim> &scene, const RawSection *given)
@@ -92,7 +93,7 @@ end
       return text.str();
     }
 
-    /// The example, with what the user sets.
+    /// @return the complete example, with the values that the user sets. Throws SceneError.
     template <int dim>
     std::string
     whole(const std::vector<std::string> &overrides)
@@ -116,6 +117,7 @@ end
       return std::find(words.begin(), words.end(), word) != words.end();
     }
 
+    /// @return the names of sections.
     std::vector<std::string>
     names_of(const std::deque<SectionDescription> &sections)
     {
@@ -125,12 +127,13 @@ end
       return names;
     }
 
-    /// What the words mean in that dimension.
+    /// The interpretation of words in one dimension: each may be the name of several things.
     template <int dim>
     struct TemplateWords
     {
-      Scene<dim>               scene;
-      std::vector<std::string> sections; ///< in which something is chosen
+      Scene<dim> scene;
+      /// Sections in which something is chosen.
+      std::vector<std::string> sections;
       std::vector<std::string> methods;
       unsigned int             n_meanings = 0;
       std::vector<std::string> unknown, known;
@@ -154,6 +157,7 @@ end
               {
                 scene.bodies.emplace_back();
                 scene.bodies.back().name = scene.bodies.back().mesh.type = word;
+                /// Record that a word has chosen something in a section.
                 mean("Bodies");
               }
             if (is_in(word, obstacle_names<dim>()))
@@ -188,8 +192,8 @@ end
       }
     };
 
-    /// Those sections of a scene's text, with the comments before them; of the methods' own
-    /// sections only those that are named, or all if none is.
+    /// @return some sections of the text of a scene, with the comments before them; of the
+    /// subsections of the contact methods those of the given methods only, or all if none is given.
     std::string
     excerpt(const std::string              &text,
             const std::vector<std::string> &sections,
@@ -223,6 +227,8 @@ end
       return result;
     }
 
+    /// @return the sections that the words of a request choose. Throws SceneError for unknown
+    /// words.
     template <int dim>
     std::string
     of_words(const TemplateRequest &request)
@@ -238,7 +244,7 @@ end
         }
       if (!request.overrides.empty())
         throw SceneError("--set goes with --print-template alone, not with words");
-      // Sections that are named themselves are those of the example.
+      // Sections that are requested by their own name are those of the example.
       std::istringstream in(example(dim));
       RawSection         raw = read_raw(in, "example");
       Scene<dim>         scene;
@@ -254,7 +260,8 @@ end
       return excerpt(written(scene, nullptr), meaning.sections, meaning.methods);
     }
 
-    /// Of the dimension in which the words mean most.
+    /// @return the dimension of a request: the given one, or the one in which its words have more
+    /// meanings.
     unsigned int
     dimension_of(const TemplateRequest &request)
     {

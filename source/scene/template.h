@@ -7,16 +7,21 @@
 
 namespace Signorini
 {
-  /// What is to be written of the example scene.
+  /// A request for a template.
   struct TemplateRequest
   {
-    unsigned int             dimension = 0; ///< 0: 2, or 3 if the words say so
-    std::vector<std::string> words;     ///< generators, shapes, methods, preconditioners, sections
-    std::vector<std::string> overrides; ///< "Section/Key=value"
+    /// 2 or 3; 0: 2, or 3 if the words require it.
+    unsigned int dimension = 0;
+    /// Names of generators, shapes, methods, preconditioners, sections.
+    std::vector<std::string> words;
+    /// Values of keys, "Section/Key=value".
+    std::vector<std::string> overrides;
   };
 
-  /// A complete scene with defaults and one sentence on each key; with words only those sections in
-  /// which they are chosen. Throws SceneError for a word that means nothing.
+  /// Print a complete scene with defaults and one sentence about each key; with words only the
+  /// sections in which they are chosen. Throws SceneError for unknown words.
+  /// @param request what is printed
+  /// @param out the stream
   void
   print_template(const TemplateRequest &request, std::ostream &out);
 } // namespace Signorini

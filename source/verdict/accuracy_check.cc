@@ -5,6 +5,7 @@
 
 namespace Signorini
 {
+  // Error bounds are relative to the scale of the quantity, as targets are.
   std::vector<CheckResult>
   check_targets(const Goals &goals, const ErrorControl &control, const std::string &why)
   {

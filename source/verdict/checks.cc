@@ -22,8 +22,8 @@ namespace Signorini
   std::vector<CheckResult>
   check_balance(const nlohmann::ordered_json &results, const double scale, const double small)
   {
-    // Newton's method ends at 1e-10 and less; the linear solvers of stiff bodies beside soft ones,
-    // and geometry that is not free of rotations, leave more.
+    // Newton's method ends at 1e-10 or less; linear solvers for stiff bodies beside soft ones, and
+    // geometry that is not exact for rotations, leave more.
     struct Bounds
     {
       const char *check, *key;
@@ -61,7 +61,8 @@ namespace Signorini
 
   namespace
   {
-    /// Pressures push, so that the size of their sum is no more than the sum of their sizes.
+    /// Check that the resultant of contact forces is not larger than the integral of the pressure,
+    /// as it must be for compressive pressures.
     std::vector<CheckResult>
     check_normal_forces(const nlohmann::ordered_json &results, const double scale)
     {
@@ -93,7 +94,7 @@ namespace Signorini
       return check_results;
     }
 
-    /// Checks of pressure peaks, see sharpness_of_peak().
+    /// Check that pressure peaks are resolved, see sharpness_of_peak().
     std::vector<CheckResult>
     check_peaks(const nlohmann::ordered_json &results, const double scale)
     {
@@ -120,7 +121,8 @@ namespace Signorini
       return check_results;
     }
 
-    /// At small deformation bodies do not buckle.
+    /// Check that the tangent stiffness is positive definite (finite strain only; at small strain
+    /// bodies do not buckle).
     CheckResult
     check_stability(const nlohmann::ordered_json &results)
     {
@@ -137,7 +139,7 @@ namespace Signorini
       return check_result;
     }
 
-    /// From one load step to the next.
+    /// Check for snap-through between two load steps.
     CheckResult
     check_jump(const nlohmann::ordered_json &results)
     {
@@ -154,7 +156,8 @@ namespace Signorini
       return check_result;
     }
 
-    /// Far from the origin gaps are small differences of large numbers.
+    /// Check the rounding of coordinates: far from the origin gaps are small differences of large
+    /// numbers.
     template <int dim>
     std::vector<CheckResult>
     check_coordinates(const Snapshot<dim> &now, const std::vector<Extremes> &extremes)
@@ -185,7 +188,7 @@ namespace Signorini
 
 
 
-    /// The area of a square as large as the model; the length of a line where forces are per
+    /// @return the area of a square of the size of the model; its length where forces are per
     /// thickness.
     template <int dim>
     double
@@ -195,11 +198,11 @@ namespace Signorini
       return std::pow(s.elasticity.mesh().size(), is_plane ? 1 : 2);
     }
 
-    /// Beyond rounding of places.
+    /// Motions smaller than this share of the size of the model are rounding of positions.
     constexpr double least_motion = 1e-14; // of the size of the scene
 
-    /// Forces act on bodies, or move them: of those that strain the softest one by rounding alone,
-    /// nobody knows whether they do.
+    /// @return whether forces act on bodies or move them; forces that would strain the softest body
+    /// by rounding only do not count.
     template <int dim>
     bool
     acts_on_bodies(const Snapshot<dim>         &s,
@@ -216,8 +219,8 @@ namespace Signorini
              });
     }
 
-    /// No force, and nothing moves, no obstacle either: a scene whose loads were left out, or lost.
-    /// An answer that the scene expects is meant.
+    /// Check that there is any force or motion; otherwise loads were forgotten or not imported. A
+    /// scene with expected results is assumed to be intended.
     template <int dim>
     CheckResult
     check_something_acts(const Scene<dim>    &scene,
@@ -239,7 +242,8 @@ namespace Signorini
       return check_result;
     }
 
-    /// The force of the largest strain times Young's modulus over the size of the model.
+    /// @return the force of the largest strain times Young's modulus on an area of the size of the
+    /// model, a scale for rounding of forces.
     template <int dim>
     double
     elastic_force(const Snapshot<dim> &s, const std::vector<Extremes> &extremes)
@@ -264,7 +268,7 @@ namespace Signorini
   {
     const Scene<dim> &scene    = decisions.scene;
     constexpr double  rounding = 1e-6; // of elastic forces that are in balance inside of bodies
-    // Iterations end where they do not count beside a target.
+    // With targets iterations end earlier, where their error is negligible.
     double small = 1e-5;
     if (scene.goals.has_targets())
       small =

@@ -8,8 +8,11 @@
 
 namespace Signorini
 {
-  /// All questions about the solution of one load step. Collective; the same on all ranks.
-  /// @param results what results.json says of the step
+  /// @return the results of all checks of the solution of one load step, the same on all ranks.
+  /// Collective.
+  /// @param decisions the scene with all choices
+  /// @param now the solution
+  /// @param results entry of results.json of this step
   /// @param largest_force of all load steps so far
   template <int dim>
   std::vector<CheckResult>
@@ -21,45 +24,66 @@ namespace Signorini
   /// Extreme values of one body.
   struct Extremes
   {
-    double motion           = 0; ///< largest displacement, in the middle of cells
-    double gradient         = 0; ///< largest norm of its gradient there
-    double largest_rotation = 0; ///< largest rotation there [radian]
+    /// Largest displacement [length] at the centres of cells.
+    double motion = 0;
+    /// Largest norm of the displacement gradient there.
+    double gradient = 0;
+    /// Largest rotation there [radian].
+    double largest_rotation = 0;
   };
 
-  /// Body by body.
+  /// @return the extreme values of each body. Collective.
+  /// @param now the solution
   template <int dim>
   std::vector<Extremes>
   extremes_of_bodies(const Snapshot<dim> &now);
 
-  /// A force is more than rounding of those that act in the scene. @param scale a force of these
+  /// @return whether a force is larger than the rounding of the forces in the scene.
+  /// @param force any force
+  /// @param scale a typical force of the scene
   bool
   is_significant(double force, double scale);
 
-  /// Error bars larger than wanted. @param why they are, in words
+  /// @return one check for each quantity: whether its error bound is within the target.
+  /// @param goals quantities and targets
+  /// @param control the histories of errors
+  /// @param why reason why targets were not reached
   std::vector<CheckResult>
   check_targets(const Goals &goals, const ErrorControl &control, const std::string &why);
 
-  /// Load steps of a run with targets that were neither refined for nor have bars.
+  /// @return the check whether load steps of a run with targets have no error bounds.
+  /// @param not_judged number of such load steps
+  /// @param all number of all load steps
   std::vector<CheckResult>
   check_judged_steps(unsigned int not_judged, unsigned int all);
 
-  // One after the other:
+  // The single checks:
 
-  /// Motions larger than the scene, and gradients of the displacement of which the theory neglects
-  /// the squares: strains or rotations beyond small.
+  /// @return checks of motions larger than the model, and of displacement gradients whose squares
+  /// small strain neglects.
+  /// @param now the solution
+  /// @param extremes of the bodies
   template <int dim>
   std::vector<CheckResult>
   check_motions(const Snapshot<dim> &now, const std::vector<Extremes> &extremes);
 
-  /// Nearly incompressible bodies whose cells cannot change shape without changing volume: the
-  /// share of the energy that this takes.
+  /// @return the check of volumetric locking in nearly incompressible bodies in displacement form,
+  /// by the share of spurious volumetric energy. Collective.
+  /// @param scene the scene
+  /// @param now the solution
   template <int dim>
   std::vector<CheckResult>
   check_locking(const Scene<dim> &scene, const Snapshot<dim> &now);
 
-  /// Pair by pair: those that never act, zones of a few faces, surfaces that move far or are far
-  /// from opposite, overlaps larger than faces, facets, sides, penetration of penalties. Of pairs
-  /// whose force does not count beside the scale, those that never act alone.
+  /// @return checks of each pair: inactive pairs, contact zones of a few faces, large motions of
+  /// surfaces, misaligned normals, initial overlaps larger than faces, facets, choice of the slave,
+  /// penetration of penalty methods. For pairs whose force is negligible beside the scale,
+  /// inactivity alone is checked. Collective.
+  /// @param decisions the scene with all choices
+  /// @param now the solution
+  /// @param extremes of the bodies
+  /// @param results entry of results.json of this step
+  /// @param scale a typical force of the scene
   template <int dim>
   std::vector<CheckResult>
   check_pairs(const Decisions<dim>         &decisions,
@@ -68,30 +92,37 @@ namespace Signorini
               const nlohmann::ordered_json &results,
               double                        scale);
 
-  /// Surfaces that go through each other where no pair looks for contact, through an obstacle, or
-  /// through a plane of symmetry of their body; and places of a surface that touches itself which
-  /// SelfContact has not told apart. It is seen where they do so by less than half a cell, as they
-  /// do somewhere. Of small strain, other bodies and obstacles alone.
+  /// @return the check for surfaces that penetrate where no pair detects contact: another body, an
+  /// obstacle, or a plane of symmetry of their body; and points of a surface in self-contact that
+  /// were assigned to the same side. Penetrations are detected where they are less than half a cell
+  /// deep, as they are somewhere along the edge of any overlap. With small strain, other bodies and
+  /// obstacles are checked only. Collective.
+  /// @param scene the scene
+  /// @param now the solution
   template <int dim>
   CheckResult
   check_undetected_penetration(const Scene<dim> &scene, const Snapshot<dim> &now);
 
-  /// Pressures and tractions that change within faces, as those that jump: their integrals by two
-  /// rules.
+  /// @return one check for each load that varies within faces: the difference of its integrals by
+  /// two quadrature rules. Collective.
+  /// @param scene the scene
+  /// @param now the solution
   template <int dim>
   std::vector<CheckResult>
   check_loads(const Scene<dim> &scene, const Snapshot<dim> &now);
 
-  /// What acts on bodies or bears them and an import has left out: warned of, and no answer where
-  /// nothing acts without it. Nothing if there is none.
-  /// @param acts something does
+  /// @return the check for loads and supports that an import has omitted: a warning, or a failure
+  /// if nothing acts without them; empty if nothing was omitted.
+  /// @param scene the scene
+  /// @param acts whether any force or motion acts
   template <int dim>
   std::vector<CheckResult>
   check_skipped_items(const Scene<dim> &scene, bool acts);
 
-  /// Forces and moments in balance.
-  /// @param scale a force beside which they are to be small
-  /// @param small share of it that is
+  /// @return the checks of the balance of forces and moments of each body.
+  /// @param results entry of results.json of this step
+  /// @param scale a typical force of the scene
+  /// @param small largest share of it that passes
   std::vector<CheckResult>
   check_balance(const nlohmann::ordered_json &results, double scale, double small);
 } // namespace Signorini

@@ -14,13 +14,14 @@ namespace Signorini
 
   namespace
   {
-    /// Resultant, and sum of the sizes of its parts.
+    /// Resultant of a load on this rank, and the sum of the norms of its parts.
     template <int dim>
     struct Sum
     {
       Tensor<1, dim> force;
       double         size = 0;
 
+      /// Add the integral over one face by a quadrature rule.
       void
       add(const Load<dim>           &load,
           const FacePatch<dim>      &face,

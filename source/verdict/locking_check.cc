@@ -17,18 +17,20 @@ namespace Signorini
 
   namespace
   {
+    /// The elastic energy of a body, and its spurious volumetric part.
     struct Energies
     {
       double all = 0, locked = 0;
     };
 
-    /// A share of values at points of a cell.
+    /// A value at a quadrature point with its weight.
     struct Weighted
     {
       double weight, value;
     };
 
-    /// Of the squares of what is left of the values beside their mean, or beside a linear function.
+    /// @return the integral of the squared deviation of values from their mean, or from their best
+    /// linear approximation, in a cell (by the normal equations).
     template <int dim>
     double
     rest(const std::vector<Point<dim>> &points,
@@ -57,8 +59,9 @@ namespace Signorini
       return std::max(0., squares - coefficients * right);
     }
 
-    /// The energy of each body, and the part that goes into changes of volume inside of cells that
-    /// a pressure of one degree less would not see: a mean for degree 1, a linear function beyond.
+    /// @return the energy of each body, and the volumetric energy of the part of the volume change
+    /// that a pressure of one degree less could not represent: the deviation from the mean for
+    /// degree 1, from a linear function for higher degrees. Collective.
     template <int dim>
     std::vector<Energies>
     energies_of_bodies(const Snapshot<dim> &s, const double least_ratio)

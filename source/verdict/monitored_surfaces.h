@@ -10,50 +10,71 @@
 
 namespace Signorini
 {
-  /// Where pairs look for contact. A kind of faces is the number of a boundary; plus that of all
-  /// boundaries if it is a slave of a surface that touches itself. Pairs without any pressure are
-  /// idle: surfaces that go through each other all the same have not seen it. (Unless their initial
-  /// overlap is not to count yet.)
+  /// The surfaces between which contact pairs detect contact. Faces are classified by kinds: the
+  /// boundary id, plus the end of all boundary ids if the face is a slave of a surface in
+  /// self-contact. Pairs without any pressure are inactive: if their surfaces penetrate
+  /// nevertheless, the pair has not detected it (unless its initial overlap is not to count yet).
   template <int dim>
   class MonitoredSurfaces
   {
   public:
+    /// @param scene the scene
+    /// @param now the solution
     MonitoredSurfaces(const Scene<dim> &scene, const Snapshot<dim> &now);
 
+    /// @return the kind of a boundary face.
+    /// @param cell its cell
+    /// @param face its number
     unsigned int
     kind(const CellIterator<dim> &cell, unsigned int face) const;
 
-    /// A pair looks whether these boundaries, one and the same perhaps, touch themselves.
+    /// @return whether a self-contact pair has both boundaries, which may be the same.
+    /// @param a,b kinds
     bool
     is_self(unsigned int a, unsigned int b) const;
 
+    /// @return whether an active pair detects contact between two kinds.
+    /// @param a,b kinds
     bool
     is_monitored(unsigned int a, unsigned int b) const;
 
+    /// @return whether an active pair detects contact with an obstacle.
+    /// @param a a kind
+    /// @param obstacle its name
     bool
     is_monitored(unsigned int a, const std::string &obstacle) const;
 
-    /// With any surface of that body, idle or not.
+    /// @return whether there is a pair, active or not, with any surface of a body.
+    /// @param a a kind
+    /// @param body its index
     bool
     has_pair(unsigned int a, unsigned int body) const;
 
+    /// @return whether there is a pair of both kinds, which carries no pressure.
+    /// @param a,b kinds
     bool
     is_inactive(unsigned int a, unsigned int b) const;
 
+    /// @return whether there is a pair with an obstacle, which carries no pressure.
+    /// @param a a kind
+    /// @param obstacle its name
     bool
     is_inactive(unsigned int a, const std::string &obstacle) const;
 
-    /// The first one.
+    /// @return the name of the first boundary that has this kind.
+    /// @param kind of faces
     std::string
     name(unsigned int kind) const;
 
   private:
+    /// @return the boundary ids of two kinds, the smaller one first.
     std::pair<unsigned int, unsigned int>
     boundaries(unsigned int a, unsigned int b) const;
 
-    const Mesh<dim>                                  &mesh;
-    std::set<std::pair<unsigned int, unsigned int>>   pairs, inactive_pairs, selves;
-    std::set<std::pair<unsigned int, unsigned int>>   with_bodies; ///< boundary, body
+    const Mesh<dim>                                &mesh;
+    std::set<std::pair<unsigned int, unsigned int>> pairs, inactive_pairs, selves;
+    /// Pairs of boundary id and body for which there is a contact pair.
+    std::set<std::pair<unsigned int, unsigned int>>   with_bodies;
     std::set<std::pair<unsigned int, std::string>>    at_obstacles, idle_at_obstacles;
     std::set<std::pair<dealii::CellId, unsigned int>> slaves;
   };

@@ -13,7 +13,7 @@ namespace Signorini
 {
   using namespace dealii;
 
-  // Singularities at edges are not met in the middle of cells.
+  // Values are taken at the centres of cells, where singularities at edges do not dominate.
   template <int dim>
   std::vector<Extremes>
   extremes_of_bodies(const Snapshot<dim> &s)
@@ -41,7 +41,7 @@ namespace Signorini
           Extremes &of_body = largest[elasticity.mesh().body(cell)];
           of_body.motion    = std::max(of_body.motion, u[0].norm());
           of_body.gradient  = std::max(of_body.gradient, std::sqrt(square));
-          // Of the rotation tensor, which is antisymmetric, each component counts twice.
+          // The norm of the antisymmetric tensor counts each component twice.
           const Tensor<2, dim> rotation = (gradient[0] - transpose(gradient[0])) / 2;
           of_body.largest_rotation =
             std::max(of_body.largest_rotation, rotation.norm() / std::sqrt(2));
@@ -60,7 +60,7 @@ namespace Signorini
 
   namespace
   {
-    /// The worst of all bodies, by name.
+    /// @return the largest value of all bodies, with the name of the body as message.
     template <int dim>
     CheckResult
     worst(const Snapshot<dim>         &s,

@@ -20,21 +20,29 @@ namespace Signorini
 
   namespace
   {
-    /// Areas and extreme values of one pair's contact.
+    /// Areas and extreme values of the contact of one pair, over all ranks.
     struct ContactExtent
     {
-      double active = 0, candidates = 0;       ///< of all faces that were looked at
-      double touched_faces = 0, n_touched = 0; ///< faces that carry pressure
-      double smallest_reference_gap    = std::numeric_limits<double>::max();
-      double smallest_normal_alignment = 1; ///< where there is pressure
-      double penetration               = 0; ///< there, the mean
-      double deepest                   = 0; ///< overlap at any point of integration
-      // Of active points:
+      /// Area of active points, and of all candidates.
+      double active = 0, candidates = 0;
+      /// Area and number of the faces that carry pressure.
+      double touched_faces = 0, n_touched = 0;
+      double smallest_reference_gap = std::numeric_limits<double>::max();
+      /// Smallest cosine between the slave normal and the opposite master normal where there is
+      /// pressure.
+      double smallest_normal_alignment = 1;
+      /// Mean penetration [length] over the active area.
+      double penetration = 0;
+      /// Largest overlap [length] at any integration point.
+      double deepest = 0;
+      // Extreme reference gaps of active points:
       double largest_reference_gap = -std::numeric_limits<double>::max(),
              least_reference_gap   = -largest_reference_gap;
-      double pressure = 0, modulus = 0, epsilon = 0; ///< the largest ones; stiffness times depth
+      /// Largest pressure, largest stiffness times depth (a modulus), and largest penalty.
+      double pressure = 0, modulus = 0, epsilon = 0;
     };
 
+    /// @return the extent of a pair. Collective.
     template <int dim>
     ContactExtent
     contact_extent_of(const Snapshot<dim> &s, const unsigned int pair)
@@ -105,6 +113,7 @@ namespace Signorini
       return extent;
     }
 
+    /// @return the result of a check of a pair: passed up to the limit, otherwise a warning.
     CheckResult
     make_check_result(const std::string &check,
                       const std::string &pair,
@@ -124,6 +133,7 @@ namespace Signorini
       return check_result;
     }
 
+    /// Check that a pair touches in any load step.
     CheckResult
     check_pair_active(const std::string &name, const ContactExtent &extent)
     {
@@ -140,7 +150,10 @@ namespace Signorini
       return check_result;
     }
 
-    /// The gap of an obstacle at the deepest place of a face, downhill from that parameter.
+    /// @return the smallest gap to an obstacle on a face that steepest descent from a parameter
+    /// finds: the parameter moves against the obstacle's normal as long as the gap decreases;
+    /// otherwise the step is halved, until it is below 1e-3 of the face. Infinite if the normals
+    /// there do not oppose each other.
     template <int dim>
     double
     gap_along_descent(const Configuration<dim> &configuration,
@@ -183,13 +196,15 @@ namespace Signorini
                                                                std::numeric_limits<double>::max();
     }
 
-    /// An obstacle in a surface.
+    /// The deepest penetration of an obstacle into a surface.
     struct ObstacleTip
     {
-      double depth = 0, face = 0; ///< size of the face where it is deepest
+      /// Depth [length], and size [length] of the face where it is deepest.
+      double depth = 0, face = 0;
     };
 
-    /// How deep it is. It may be so small that it lies between the points of integration.
+    /// @return the deepest penetration of an obstacle, which may be so small that it is between the
+    /// integration points. Collective.
     template <int dim>
     ObstacleTip
     deepest_tip(const Obstacle<dim> &obstacle, const Snapshot<dim> &s, const std::string &surface)
@@ -216,8 +231,8 @@ namespace Signorini
       return {depth, Utilities::MPI::max(tip.depth == depth ? tip.face : 0., comm)};
     }
 
-    /// What touches within a face may be open in the mean of the face, which is all that
-    /// multipliers see of it.
+    /// Check for penetration without pressure: a body that touches within a face may have a
+    /// positive mean gap over the face, which is all that multipliers take into account.
     CheckResult
     check_missed_penetration_of_obstacle(const std::string   &name,
                                          const ContactExtent &extent,
@@ -239,6 +254,7 @@ namespace Signorini
       return check_result;
     }
 
+    /// Check that the slave is not much stiffer or finer than the master, (3.12) of doc/theory.
     CheckResult
     check_slave_choice(const std::string &name, const Sides &sides)
     {
@@ -253,7 +269,7 @@ namespace Signorini
         "refine the master, or choose the softer body as Slave (Slave choice = automatic does so if possible)");
     }
 
-    /// The initial positions are where contact was looked for.
+    /// Check that motions are small if contact is evaluated in the reference configuration.
     template <int dim>
     CheckResult
     check_small_sliding(const Snapshot<dim>       &s,
@@ -272,7 +288,8 @@ namespace Signorini
         "set Contact method/Contact geometry = updated, or start with bodies that nearly touch");
     }
 
-    /// The pressure under waves as high and long as facets, beside the largest one.
+    /// Check the pressure that flat facets of a curved surface would cause, relative to the largest
+    /// one.
     template <int dim>
     CheckResult
     check_facet_pressure(const Snapshot<dim> &s,
@@ -283,7 +300,7 @@ namespace Signorini
                         master = s.elasticity.mesh().facet_height(s.pairs[pair].master);
       FacetHeight  steeper     = slave.slope() > master.slope() ? slave : master;
       const double height      = steeper.height;
-      // Facets that match have no gaps between them.
+      // Matching facets have no gaps between them.
       if (std::min(slave.height, master.height) > 0)
         steeper.height =
           std::min(height, std::max(0., extent.largest_reference_gap - extent.least_reference_gap));
@@ -298,9 +315,9 @@ namespace Signorini
         "second-order elements with curved sides");
     }
 
-    /// 1 at nodes that have neighbours all around, 0 at those of the edge of the surface: on
-    /// regular meshes the mean of these lies off the node by at least a third of their mean square
-    /// distance.
+    /// @return 1 at nodes with neighbours on all sides, 0 at those at the edge of the surface:
+    /// there the mean of the neighbours is off the node by at least a third of their root mean
+    /// square distance (on regular meshes).
     LA::Vector
     within_surface(const GapOperator &contact)
     {
@@ -327,16 +344,17 @@ namespace Signorini
       return all;
     }
 
-    /// The share of nodes at which the pressure alternates by more than two percent of the largest
-    /// one. What a node has more than its neighbours, z, is of the opposite sign at these: of an
-    /// amplitude a on a regular mesh z = l a, and they have -r l a in the mean, with l = 2, r = 1
-    /// along a line and l = 4/3, r = 1/3 on a surface; so a^2 = -z z_neighbours/(l^2 r). What is
-    /// smooth has the same sign there, irregular meshes make any, and at edges, where the pressure
-    /// is singular, it alternates at a few nodes only. At the edge of the surface itself all
-    /// neighbours lie on one side: there z is a slope, and says nothing. Open nodes among pressed
-    /// ones alone have a pressure of zero. Steep pressures turn once beside an edge; so the
-    /// neighbours have to alternate too. Pressures that displacements would leave by their rounding
-    /// alone do not count, and tensions of pairs that never separate do.
+    /// Check the pressure for node-to-node oscillation: the share of nodes where it alternates by
+    /// more than two percent of the largest pressure. Let z be the difference of the pressure at a
+    /// node from the mean of its neighbours. For an alternating pressure of amplitude a on a
+    /// regular mesh z = l a, and the neighbours have -r l a in the mean, with l = 2, r = 1 along a
+    /// line and l = 4/3, r = 1/3 on a surface; hence a^2 = -z z_neighbours/(l^2 r). For smooth
+    /// pressures z has the same sign at neighbours, irregular meshes give any sign, and at edges,
+    /// where the pressure is singular, it alternates at a few nodes only. At the edge of the
+    /// surface all neighbours are on one side, so that z is a gradient: these nodes are excluded.
+    /// Open nodes between active ones count with their pressure zero. Steep pressures alternate
+    /// once beside an edge; therefore the neighbours have to alternate as well. Pressures of the
+    /// size of rounding do not count, tensions of pairs without separation do.
     template <int dim>
     CheckResult
     check_pressure_oscillation(const Snapshot<dim> &s,
@@ -390,7 +408,8 @@ namespace Signorini
         "exchange Slave and Master, refine the master, or choose another method");
     }
 
-    /// The rounding error of the pressure, for methods whose pressure is the gap times a stiffness.
+    /// Check the rounding error of the pressure, for methods whose pressure is the gap times a
+    /// stiffness.
     template <int dim>
     CheckResult
     check_penalty_roundoff(const Snapshot<dim> &s,
@@ -409,8 +428,8 @@ namespace Signorini
         "set a smaller Factor");
     }
 
-    /// The penetration, for methods that allow one, compared with the deformation by the strain
-    /// over the width of the contact area: bodies that are strained by so much give way by as much.
+    /// Check the penetration, for methods that allow one, relative to the deformation, which is
+    /// estimated by the largest strain times the width of the contact area.
     template <int dim>
     CheckResult
     check_penetration(const Snapshot<dim>         &s,
@@ -435,7 +454,8 @@ namespace Signorini
         "set a larger Factor, or choose a method with multipliers");
     }
 
-    /// Unless all that may touch does: then its edges are those of the surfaces.
+    /// Check that there are enough faces across the contact area, unless all candidates are in
+    /// contact: then its edges are those of the surfaces.
     template <int dim>
     CheckResult
     check_contact_resolution(const std::string   &name,
@@ -465,8 +485,9 @@ namespace Signorini
       return check_result;
     }
 
-    /// Zones of several faces have their edges in few of them. Where most faces are in contact in
-    /// part only, zones are narrower than faces, or the pressure oscillates from face to face.
+    /// Check that most contact faces are entirely in contact. Contact zones of several faces have
+    /// their edges in few of them. Where most faces are partly in contact, zones are narrower than
+    /// faces, or the pressure oscillates from face to face.
     CheckResult
     check_partial_contact(const std::string &name, const ContactExtent &extent)
     {
@@ -543,7 +564,7 @@ namespace Signorini
           "the angle between the slave normal and the opposite of the master normal is too large where the surfaces touch",
           "refine there, or split the boundary"));
         check_results.push_back(check_facet_pressure(now, i, extent));
-        // Of quadratic functions it is the recovered pressure that is reported.
+        // For quadratic elements the recovered pressure is reported, which does not oscillate.
         if (now.contact.origin.regions.has_nodes() && decisions.degree_of(pair.slave) == 1)
           check_results.push_back(check_pressure_oscillation(now, i, extent));
         if (pair.can_separate)

@@ -17,6 +17,7 @@ namespace Signorini
 
   namespace
   {
+    /// An axis-parallel box; both operations include its boundary.
     template <int dim>
     struct Box
     {
@@ -42,17 +43,21 @@ namespace Signorini
       }
     };
 
+    /// A boundary face of this rank, with what a first comparison needs.
     template <int dim>
     struct Face
     {
       CellIterator<dim> cell;
       unsigned int      face, kind;
       Point<dim>        center;
-      double            radius; ///< about the center
-      Box<dim> box; ///< larger by half the cell behind it, as deep as overlaps are asked for
+      /// Radius of a sphere around the centre that contains the corners.
+      double radius;
+      /// Bounding box, extended by half of the depth of the cell, up to which overlaps are
+      /// detected.
+      Box<dim> box;
     };
 
-    /// Faces of one body and kind on one rank.
+    /// The bounding box of all faces of one body and kind on one rank.
     template <int dim>
     struct Group
     {
@@ -67,6 +72,7 @@ namespace Signorini
       }
     };
 
+    /// The current positions of vertices.
     template <int dim>
     class MovedVertices
     {
@@ -88,6 +94,7 @@ namespace Signorini
       LA::Vector u;
     };
 
+    /// @return a face with its box in the current configuration.
     template <int dim>
     Face<dim>
     seen_from_far(const MovedVertices<dim>     &moved,
@@ -118,6 +125,7 @@ namespace Signorini
       return result;
     }
 
+    /// @return all boundary faces of this rank.
     template <int dim>
     std::vector<Face<dim>>
     all_faces(const Configuration<dim> &configuration, const MonitoredSurfaces<dim> &watched)
@@ -132,7 +140,7 @@ namespace Signorini
       return result;
     }
 
-    /// Those of all ranks. Collective.
+    /// @return the groups of all ranks. Collective.
     template <int dim>
     std::vector<Group<dim>>
     groups_of(const Mesh<dim>                         &mesh,
@@ -152,6 +160,7 @@ namespace Signorini
       return all;
     }
 
+    /// @return whether a face may be inside of an obstacle with which no pair detects contact.
     template <int dim>
     bool
     may_be_in(const Face<dim>              &face,
@@ -172,6 +181,8 @@ namespace Signorini
 
 
 
+  // Boxes of faces are compared with boxes of groups (body, kind, rank) instead of faces, so that
+  // little is communicated; a second round finds the faces near those that may penetrate.
   template <int dim>
   PenetrationCandidates<dim>::PenetrationCandidates(const Scene<dim>             &scene,
                                                     const Configuration<dim>     &configuration,

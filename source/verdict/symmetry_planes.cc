@@ -11,7 +11,8 @@ namespace Signorini
 
   namespace
   {
-    /// The direction in which a support holds, if it may be symmetry.
+    /// @return whether a support may represent a plane of symmetry with a normal: at all times it
+    /// constrains the normal component to zero, and no other.
     template <int dim>
     bool
     may_be_symmetry(const Support<dim> &support, const Tensor<1, dim> &normal)
@@ -32,6 +33,7 @@ namespace Signorini
 
 
 
+  // A boundary is plane if the mean of its normals has length one.
   template <int dim>
   std::vector<SymmetryPlane<dim>>
   symmetry_planes(const Scene<dim> &scene, const Elasticity<dim> &elasticity)

@@ -22,10 +22,11 @@ namespace Signorini
 
   namespace
   {
-    /// Overlaps of pairs without pressure that are smaller are those of facets.
+    /// Overlaps of inactive pairs that are smaller than this share of a cell are attributed to
+    /// facets.
     constexpr double much_of_cell = 0.2;
 
-    /// What a surface goes through.
+    /// What a surface penetrates.
     enum class PenetrationType
     {
       other,    ///< surface, of the same body or another
@@ -37,17 +38,23 @@ namespace Signorini
 
     constexpr double small = 0.02; ///< share of a cell that passes
 
-    /// The deepest place, of those that make the answer none if there are any.
+    /// The deepest penetration; penetrations that make the solution invalid have priority over
+    /// others.
     struct Overlap
     {
-      double          share = 0, depth = 0; ///< of the cells behind; and as a length
-      unsigned int    surface          = 0; ///< its kind, see MonitoredSurfaces
+      /// Depth relative to the cells behind the faces, and as a length.
+      double share = 0, depth = 0;
+      /// Kind of the surface, see MonitoredSurfaces.
+      unsigned int    surface          = 0;
       PenetrationType penetration_type = PenetrationType::other;
-      unsigned int    what = 0; ///< the kind of the other surface; or which body, obstacle, plane
-      bool            is_inactive = false; ///< there is a pair, which has not seen it
-      bool            at_start    = false; ///< before anything moved
+      /// Kind of the other surface, or index of the body, obstacle or plane.
+      unsigned int what = 0;
+      /// Whether there is a pair, which has not detected it.
+      bool is_inactive = false;
+      /// Whether it exists in the reference configuration.
+      bool at_start = false;
 
-      /// The answer is none.
+      /// @return whether the penetration makes the solution invalid.
       bool
       fails() const
       {
@@ -55,6 +62,7 @@ namespace Signorini
                                  (at_start && penetration_type == PenetrationType::body));
       }
 
+      /// Replace this penetration by another one if that is more severe.
       void
       take(const Overlap &other)
       {
@@ -64,7 +72,8 @@ namespace Signorini
               *this = other;
             return;
           }
-        // Of those that are as deep but for rounding, the first.
+        // Of those of equal depth up to rounding the first, so that the result does not depend on
+        // the partition.
         const bool is_alike = std::abs(other.share - share) <= 1e-6 * share;
         if (is_alike ? std::tie(other.surface, other.what) < std::tie(surface, what) :
                        other.share > share)
@@ -72,11 +81,12 @@ namespace Signorini
       }
     };
 
-    /// The surface of one body as it is, and places on it that ask what they are in; of small
-    /// strain, where that may be anything.
+    /// The current surface of one body, and sample points on it that are tested; at small strain
+    /// only faces that may penetrate something have points.
     template <int dim>
     struct BodySurface
     {
+      /// Sample the faces. Collective.
       BodySurface(const BoundaryFaces<dim>                        &of_body,
                   const MonitoredSurfaces<dim>                    &watched,
                   const std::optional<PenetrationCandidates<dim>> &near,
@@ -105,14 +115,17 @@ namespace Signorini
           box = box_of(faces.patches, comm);
       }
 
-      /// Of places deeper than that, who knows what they are in: beyond half a cell, its other side
-      /// may have been passed.
+      /// @return the depth up to which penetrations are detected at a sample point: beyond half a
+      /// cell the opposite side may have been passed.
       double
       depth(const unsigned int place) const
       {
         return faces.depth(face_of[place]) / 2;
       }
 
+      /// @return the faces as master surfaces for a closest-point search.
+      /// @param know_rest whether reference positions are included, by which self-contact excludes
+      /// neighbours
       MasterFaces<dim>
       masters(const bool know_rest) const
       {
@@ -127,6 +140,7 @@ namespace Signorini
         return result;
       }
 
+      /// @return the faces in the reference configuration as master surfaces.
       MasterFaces<dim>
       reference_masters() const
       {
@@ -134,16 +148,19 @@ namespace Signorini
         return {faces.rest, tell, {}, {}};
       }
 
-      BoundaryFaces<dim>               faces;
-      std::vector<unsigned int>        kinds; ///< one a face
+      BoundaryFaces<dim> faces;
+      /// Kind of each face.
+      std::vector<unsigned int>        kinds;
       std::vector<Point<dim>>          places;
       std::vector<Tensor<1, dim>>      normals;
       std::vector<ReferencePoint<dim>> rest;
       std::vector<unsigned int>        face_of;
       double                           deepest = 0;
-      std::optional<BoundingBox<dim>>  box; ///< if there are faces
+      /// Bounding box of all ranks; none if there are no faces.
+      std::optional<BoundingBox<dim>> box;
     };
 
+    /// @return the surfaces of all bodies. Collective.
     template <int dim>
     std::vector<BodySurface<dim>>
     body_surfaces(const Configuration<dim>                        &configuration,
@@ -166,7 +183,7 @@ namespace Signorini
       return result;
     }
 
-    /// Places of a that may be in b.
+    /// @return the sample points of a that are in the bounding box of b.
     template <int dim>
     std::vector<unsigned int>
     in_box_of(const BodySurface<dim> &a, const BodySurface<dim> &b)
@@ -178,6 +195,8 @@ namespace Signorini
       return result;
     }
 
+    /// @return the deepest penetration of sample points of a behind the closest faces of b (which
+    /// may be the same body), where no active pair detects contact. Collective.
     template <int dim>
     Overlap
     overlap_of(const BodySurface<dim>       &a,
@@ -223,9 +242,9 @@ namespace Signorini
       return largest;
     }
 
-    /// What was outside of another body at rest, and is now farther inside than half a cell; or
-    /// what is inside, and was so at the start, unless it is of a pair with that body, whose
-    /// overlap may have to stay for a while.
+    /// @return the deepest sample point of a that was outside of b in the reference configuration
+    /// and is now deeper inside than half a cell; or that has been inside from the start, unless
+    /// there is a pair with that body, whose overlap may have to remain for a while. Collective.
     template <int dim>
     Overlap
     depth_inside(const BodySurface<dim>       &a,
@@ -265,7 +284,8 @@ namespace Signorini
       return largest;
     }
 
-    /// The faces of a body that lie in a box at rest: about so many of them on each rank.
+    /// @return about so many faces on each rank of a body that are in a box in the reference
+    /// configuration, at regular intervals.
     template <int dim>
     BoundaryFaces<dim>
     sample_faces(const Configuration<dim> &configuration,
@@ -288,8 +308,9 @@ namespace Signorini
               }};
     }
 
-    /// Where two bodies were inside of each other from the start by more than their surfaces see:
-    /// some faces are asked, since others beside them are as deep.
+    /// @return the deepest penetration of two bodies that overlap from the start by more than their
+    /// surfaces can detect. Some faces are tested, since others beside them are as deep.
+    /// Collective.
     template <int dim>
     Overlap
     initial_depth(const Configuration<dim>     &configuration,
@@ -314,8 +335,8 @@ namespace Signorini
                                     });
       const BodySurface<dim>   outside(of_b, watched, {}, comm);
       Overlap                  result = depth_inside(asking, outside, b, watched, comm);
-      // Bodies in the same place have the same surfaces: the middles of cells behind them are
-      // asked.
+      // Bodies at the same position have the same surfaces: the centres of the cells behind the
+      // faces are tested as well.
       for (unsigned int i = 0; i < asking.places.size(); ++i)
         {
           asking.places[i] -= asking.depth(i) * asking.normals[i];
@@ -325,12 +346,15 @@ namespace Signorini
       return result;
     }
 
-    /// What was outside at rest has gone through the surface, however deep it is; what was inside
-    /// may belong there.
-    /// @param closest place of what is rigid, to place i, if there is one
-    /// @param was_outside at rest, of place i
-    /// @param is_inactive by the kind of its face, whether there is a pair that has not seen it
-    /// @param belongs what is inside at rest may be there
+    /// @return the deepest penetration into something rigid. Points that were outside in the
+    /// reference configuration have penetrated, at any depth; points that were inside may belong
+    /// there.
+    /// @param closest function that returns the closest point of the rigid surface to sample point
+    /// i, or none
+    /// @param was_outside whether sample point i was outside in the reference configuration
+    /// @param is_inactive whether, for a kind of faces, there is a pair that has not detected
+    /// contact
+    /// @param belongs whether points that are inside in the reference configuration may be there
     template <int dim, typename Closest, typename WasOutside, typename IsIdle>
     Overlap
     overlap_with_rigid(const BodySurface<dim> &a,
@@ -359,6 +383,7 @@ namespace Signorini
       return largest;
     }
 
+    /// @return the deepest penetration of a surface into an obstacle.
     template <int dim>
     Overlap
     overlap_of(const Configuration<dim>     &configuration,
@@ -399,7 +424,7 @@ namespace Signorini
                const Scene<dim>             &scene,
                const MonitoredSurfaces<dim> &watched)
     {
-      // Obstacles are put there in place of the other half, and penalties let surfaces into them.
+      // Where an obstacle represents the other half, penalty methods let the surface penetrate it.
       const auto is_held = [&](const unsigned int i) {
         return std::any_of(
           scene.obstacles.begin(), scene.obstacles.end(), [&](const auto &obstacle) {
@@ -427,7 +452,7 @@ namespace Signorini
         true);
     }
 
-    /// The largest penetration of all ranks. Collective.
+    /// @return the most severe penetration of all ranks. Collective.
     Overlap
     largest_of(const Overlap &own, const MPI_Comm comm)
     {
@@ -440,6 +465,8 @@ namespace Signorini
 
 
 
+  // At finite strain all surfaces are tested, at small strain the candidates only. The most severe
+  // penetration is reported.
   template <int dim>
   CheckResult
   check_undetected_penetration(const Scene<dim> &scene, const Snapshot<dim> &now)
@@ -473,7 +500,7 @@ namespace Signorini
           }
         for (unsigned int i = 0; i < scene.obstacles.size(); ++i)
           {
-            // Where it holds another body, as the ground does, there may be a hole for this one.
+            // An obstacle that supports another body may have a hole for this one.
             const Obstacle<dim> &obstacle = scene.obstacles[i];
             const bool           is_used =
               std::any_of(now.pairs.begin(), now.pairs.end(), [&](const ContactPair<dim> &pair) {

@@ -10,6 +10,7 @@ namespace Signorini
 {
   namespace
   {
+    /// @return the name of an outcome in results.json.
     const char *
     name(const Outcome outcome)
     {
@@ -18,12 +19,14 @@ namespace Signorini
                                           "failed";
     }
 
+    /// @return whether a check result is worse than another one.
     bool
     is_worse(const CheckResult &a, const CheckResult &b)
     {
       return a.outcome != b.outcome ? a.outcome > b.outcome : a.value > b.value;
     }
 
+    /// @return whether the result of a later load step replaces that of an earlier one.
     bool
     replaces(const CheckResult &now, const CheckResult &before)
     {
@@ -38,6 +41,7 @@ namespace Signorini
         }
     }
 
+    /// @return name and place of a check.
     std::string
     title(const CheckResult &check_result)
     {
@@ -99,7 +103,7 @@ namespace Signorini
   Verdict
   Verdict::from(const nlohmann::ordered_json &json)
   {
-    // JSON has no word for what is not a number.
+    // JSON has no NaN: it is written as null.
     const auto number = [](const nlohmann::ordered_json &value) {
       return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
     };

@@ -9,59 +9,72 @@
 
 namespace Signorini
 {
-  /// From good to bad.
+  /// The outcome of a check, in the order of severity.
   enum class Outcome
   {
     passed,
-    warned, ///< the answer may be off: what, where, how much, and what to do about it
-    failed  ///< it is none
+    /// The result may be wrong to some extent; the message says where, how much, and what can be
+    /// done.
+    warned,
+    /// The result is invalid.
+    failed
   };
 
-  /// What one question about a solution gave.
+  /// The result of one check of a solution.
   struct CheckResult
   {
-    std::string check; ///< "strain"
-    std::string where; ///< "pair fit", "body ring"; may be empty
+    /// Name of the check, such as "displacement gradient".
+    std::string check;
+    /// What it refers to, such as "pair fit" or "body ring"; may be empty.
+    std::string where;
     double      value = 0, limit = 0;
     Outcome     outcome = Outcome::passed;
-    std::string message = {}, advice = {}; ///< of those that did not pass
+    /// What is wrong, and what can be done about it, if the check has not passed.
+    std::string message = {}, advice = {};
 
-    /// Which load step counts.
+    /// Which load step is reported.
     enum class Aggregation
     {
-      worst, ///< the one with the worst outcome, of those the one with the largest value
+      /// The one with the worst outcome, of those the one with the largest value.
+      worst,
       last,
       best
     } aggregation = Aggregation::worst;
   };
 
-  /// What could make an answer wrong and cannot be seen in its residual, asked after each load
-  /// step.
+  /// Collects the results of checks, after each load step, of what could make a solution wrong
+  /// without being visible in its residual.
   class Verdict
   {
   public:
+    /// Add the checks of a load step.
+    /// @param of_step their results
     /// @param time of the load step
     void
     add(const std::vector<CheckResult> &of_step, double time);
 
+    /// @return the worst outcome of all checks.
     Outcome
     outcome() const;
 
-    /// {"outcome": "warned", "checks": [{"check", "where", "value", "limit", "outcome", "time",
-    /// "message", "advice"}]}, in the order in which they were asked; the last two are empty if
-    /// passed.
+    /// @return {"outcome": "warned", "checks": [{"check", "where", "value", "limit", "outcome",
+    /// "time", "message", "advice"}]}, in the order of the checks; message and advice are empty if
+    /// a check has passed.
     nlohmann::ordered_json
     json() const;
 
-    /// What json() told.
+    /// @return the verdict that json() has written.
+    /// @param json its result
     static Verdict
     from(const nlohmann::ordered_json &json);
 
-    /// How many passed, and what did not: three lines each.
+    /// Print how many checks have passed, and three lines for each of the others.
+    /// @param out the stream
     void
     print(std::ostream &out) const;
 
-    /// "strain of ring: ..." of all that has that outcome.
+    /// @return the messages of all checks with an outcome, such as "strain of ring: ...".
+    /// @param outcome of the checks
     std::string
     summary(Outcome outcome) const;
 

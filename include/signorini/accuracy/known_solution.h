@@ -9,14 +9,20 @@ namespace Signorini
 {
   class Section;
 
-  /// What is known of the solution, as formulas of the coordinates and the time.
+  /// A known solution, or parts of it, as formulas of the coordinates and the time; empty formulas
+  /// are unknown.
   template <int dim>
   struct KnownSolution
   {
-    VectorExpression<dim> displacement;      ///< empty: not known
-    Formula               pressure;          ///< empty: not known
-    Formula               volumetric_stress; ///< of mixed bodies; empty: not known
+    /// Displacement [length].
+    VectorExpression<dim> displacement;
+    /// Contact pressure [stress], positive in compression.
+    Formula pressure;
+    /// Volumetric stress [stress] of bodies in displacement-pressure form, positive in tension.
+    Formula volumetric_stress;
 
+    /// Declare the keys and read their values. Throws SceneError if a formula is not valid.
+    /// @param section `Known solution`
     void
     declare(Section &section);
   };

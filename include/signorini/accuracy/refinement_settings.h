@@ -5,7 +5,7 @@ namespace Signorini
 {
   class Section;
 
-  /// How meshes are refined for a quantity.
+  /// How meshes are refined.
   struct RefinementSettings
   {
     /// Which cells are refined.
@@ -15,13 +15,20 @@ namespace Signorini
       global     ///< all
     };
 
-    unsigned int cycles           = 0;
-    Strategy     strategy         = Strategy::estimator;
-    double       refine_fraction  = 0.15;
-    double       coarsen_fraction = 0.03;
-    unsigned int maximum_cells    = 10000000;
-    double       tolerance        = 1e-4; ///< of Newton's method on all meshes but the last
+    /// Number of refinements.
+    unsigned int cycles   = 0;
+    Strategy     strategy = Strategy::estimator;
+    /// Fraction of the cells that are refined.
+    double refine_fraction = 0.15;
+    /// Fraction of the cells that are coarsened.
+    double coarsen_fraction = 0.03;
+    /// No refinement beyond this number of cells.
+    unsigned int maximum_cells = 10000000;
+    /// Relative tolerance of Newton's method on all meshes but the last.
+    double tolerance = 1e-4;
 
+    /// Declare the keys and read their values.
+    /// @param section `Accuracy`
     void
     declare(Section &section);
   };

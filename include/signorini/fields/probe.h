@@ -10,42 +10,51 @@ namespace Signorini
 {
   class Section;
 
-  /// A named point, or points along a straight line, of a body or of the slave of a pair, at rest.
+  /// A named point, or points along a straight line, in a body or on the slave of a pair, in the
+  /// reference configuration.
   template <int dim>
   struct Probe
   {
-    std::string         name;
-    std::string         body; ///< empty: any
-    std::string         pair; ///< not empty: where its slave is closest
-    dealii::Point<dim>  point;
-    std::vector<double> end;           ///< coordinates of the end of the line; empty: a point alone
-    unsigned int        n_points = 21; ///< of a line
+    std::string name;
+    /// Name of the body; empty: any.
+    std::string body;
+    /// Name of the pair on whose slave the closest points are evaluated; empty: the probe is in a
+    /// body.
+    std::string        pair;
+    dealii::Point<dim> point;
+    /// Coordinates of the end of the line; empty: a single point.
+    std::vector<double> end;
+    /// Number of points of a line.
+    unsigned int n_points = 21;
 
+    /// @return whether the probe has several points.
     bool
     is_line() const
     {
       return !end.empty();
     }
 
+    /// @return whether the probe is on a slave surface.
     bool
     is_on_pair() const
     {
       return !pair.empty();
     }
 
-    /// Throws SceneError.
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section of the probe
     void
     declare(Section &section);
 
-    /// Both ends of a line included.
+    /// @return the points, including both ends of a line.
     std::vector<dealii::Point<dim>>
     points() const;
 
-    /// One for each of the points.
+    /// @return one probe of a single point for each point.
     std::vector<Probe>
     single() const;
 
-    /// "probe 'tip': "
+    /// @return the beginning of messages, "probe 'tip': ".
     std::string
     title() const;
   };
@@ -53,17 +62,20 @@ namespace Signorini
   template <int dim>
   using Probes = std::vector<Probe<dim>>;
 
-  /// The one of that name, which is there.
+  /// @return the probe of a name, which must exist.
+  /// @param probes of the scene
+  /// @param name of one of them
   template <int dim>
   const Probe<dim> &
   probe_named(const Probes<dim> &probes, const std::string &name);
 
-  /// "(0.5, 2)"
+  /// @return coordinates for messages, "(0.5, 2)".
+  /// @param x a point
   template <int dim>
   std::string
   point_text(const dealii::Point<dim> &x);
 
-  /// What a point may be outside of its body, or beside its surface, in cells: as meshes of curved
-  /// bodies leave out points near their true surface.
+  /// The distance, in units of a cell, that a point may be outside of its body or beside its
+  /// surface, since meshes of curved bodies omit points near their true surface.
   constexpr double probe_tolerance = 0.02;
 } // namespace Signorini

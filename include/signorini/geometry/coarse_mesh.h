@@ -13,25 +13,31 @@
 
 namespace Signorini
 {
-  /// A place in a coarse cell: its corners, and the middles of its edges and faces.
+  /// A point of a coarse cell: a corner, or the middle of an edge or face.
   template <int dim>
   struct NodeLocation
   {
-    unsigned int       cell;                ///< coarse
-    dealii::Point<dim> unit;                ///< in the unit cell
-    bool               is_inserted = false; ///< by the division of cells; no node of the file
+    /// Index of the coarse cell.
+    unsigned int cell;
+    /// Coordinates in the reference cell.
+    dealii::Point<dim> unit;
+    /// Whether it was inserted by the division of cells, and is not a node of the file.
+    bool is_inserted = false;
   };
 
-  /// The nodes of a set, each with its places in all coarse cells that have it.
+  /// The nodes of a set, each with its positions in all coarse cells that have it.
   template <int dim>
   using NodeSet = std::vector<std::vector<NodeLocation<dim>>>;
 
-  /// A facet of a coarse mesh that stands for a curved surface.
+  /// A facet of a coarse mesh that approximates a curved surface.
   struct FacetHeight
   {
-    double height = 0; ///< how far it is from the surface, about
-    double length = 1; ///< of the facet
+    /// Estimated distance [length] from the surface.
+    double height = 0;
+    /// Length [length] of the facet.
+    double length = 1;
 
+    /// @return the ratio of both.
     double
     slope() const
     {
@@ -39,32 +45,36 @@ namespace Signorini
     }
   };
 
-  /// The coarse mesh of one body, before the bodies are put into one forest.
+  /// The coarse mesh of one body, before the meshes of all bodies are merged into one forest.
   template <int dim>
   struct CoarseMesh
   {
-    std::vector<dealii::Point<dim>>    vertices;
-    std::vector<dealii::CellData<dim>> cells; ///< with manifold ids; material ids are free
+    std::vector<dealii::Point<dim>> vertices;
+    /// With manifold ids; material ids are not used.
+    std::vector<dealii::CellData<dim>> cells;
     /// All boundary faces (2D: lines, 3D: quads) with their boundary ids, and all other faces, and
     /// lines in 3D, that have a manifold id; these carry the boundary id
     /// numbers::internal_face_boundary_id, which create_triangulation() takes for "none": do not
     /// renumber it.
-    dealii::SubCellData      faces;
-    std::vector<std::string> boundaries; ///< names; every boundary face has at least one
+    dealii::SubCellData faces;
+    /// Names of boundaries; every boundary face has at least one.
+    std::vector<std::string> boundaries;
     /// The names of each boundary id, as indices into `boundaries`. Empty: id i has the name i.
     std::vector<std::vector<unsigned int>> names_of_ids;
 
-    /// The steepest facets that may stand for a curved surface, by names. Empty: none are.
+    /// The steepest facet of each boundary that may approximate a curved surface. Empty: there are
+    /// none.
     std::vector<FacetHeight> facets;
 
-    /// Number of boundary ids, which count from 0.
+    /// @return the number of boundary ids, which count from 0.
     unsigned int
     n_boundary_ids() const
     {
       return names_of_ids.empty() ? boundaries.size() : names_of_ids.size();
     }
 
-    /// The boundary ids that have a name.
+    /// @return the boundary ids that have a name.
+    /// @param name index into `boundaries`
     std::set<dealii::types::boundary_id>
     ids_of(unsigned int name) const;
 
@@ -72,14 +82,19 @@ namespace Signorini
     /// are absent here are flat. Ids count from 0.
     std::map<dealii::types::manifold_id, std::shared_ptr<dealii::Manifold<dim>>> manifolds;
 
-    /// Take cells, vertices, boundary ids, manifold ids and manifolds from a serial unrefined
-    /// triangulation. The manifold ids are numbered anew.
+    /// Create a coarse mesh from a serial triangulation without refinement, with new numbers of
+    /// manifold ids.
+    /// @param triangulation with boundary ids and manifolds
+    /// @param boundaries names
+    /// @param names_of_ids see the member
+    /// @return cells, vertices, boundary ids and manifolds
     static CoarseMesh
     from_triangulation(const dealii::Triangulation<dim>             &triangulation,
                        const std::vector<std::string>               &boundaries,
                        const std::vector<std::vector<unsigned int>> &names_of_ids = {});
 
     /// Replace the manifold id of every cell, face and line in the lists by f(id).
+    /// @param f a function of a manifold id
     template <typename F>
     void
     map_manifold_ids(const F &f)

@@ -11,28 +11,37 @@ namespace Signorini
 {
   class Section;
 
-  /// The unknowns of the elastic equations of a body.
+  /// The unknowns of the elastic equations of a body (doc/theory, 6.6).
   enum class Formulation
   {
-    automatic,    ///< mixed where Poisson's ratio asks for it, and nothing is against it
-    displacement, ///< all stress follows from the displacement
-    mixed         ///< the stress of changes of volume is a field of its own, see VolumetricStress
+    /// Displacement-pressure form for nearly incompressible bodies, if degree, model and contact
+    /// method allow it.
+    automatic,
+    /// The displacement alone, from which all stress follows.
+    displacement,
+    /// Displacement and volumetric stress, see VolumetricStress.
+    mixed
   };
 
-  /// Isotropic elasticity. At small deformation all laws are linear:
-  /// sigma = lambda tr(eps) I + 2 mu eps. For 2D see Model.
+  /// An isotropic material. At small strain all laws are linear, sigma = lambda tr(eps) I + 2 mu
+  /// eps, (1.1) of doc/theory. For 2D see Model.
   struct Material
   {
-    double              youngs_modulus = 200000, poissons_ratio = 0.3;
-    std::string         law = "neo-Hooke"; ///< of large deformation: one of material_laws()
-    std::vector<double> coefficients = {}; ///< of the law; empty: it needs none but E and nu
+    double youngs_modulus = 200000, poissons_ratio = 0.3;
+    /// Name of the law for finite strain: one of material_laws().
+    std::string law = "neo-Hooke";
+    /// Coefficients of the law; empty: it needs E and nu only.
+    std::vector<double> coefficients = {};
 
     /// The constitutive law; null: linear elasticity at small strain.
     std::shared_ptr<const ConstitutiveLaw> constitutive_law = {};
-    StrainMeasure                          strain_measure   = StrainMeasure::finite; ///< of the law
+    /// Strain measure of the law.
+    StrainMeasure strain_measure = StrainMeasure::finite;
 
-    Formulation formulation       = Formulation::automatic; ///< as the user chose it
-    bool        is_up_formulation = false; ///< the body is in displacement-pressure form
+    /// The formulation that the user has chosen.
+    Formulation formulation = Formulation::automatic;
+    /// Whether the body is in displacement-pressure form.
+    bool is_up_formulation = false;
 
     /// Lame's lambda in stresses that follow from the displacement: zero in displacement-pressure
     /// form, where the volumetric stress takes its place.
@@ -49,6 +58,7 @@ namespace Signorini
       return youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
     }
 
+    /// @return the shear modulus.
     double
     mu() const
     {
@@ -70,6 +80,9 @@ namespace Signorini
       return (1 + poissons_ratio) * (1 - 2 * poissons_ratio) / (youngs_modulus * poissons_ratio);
     }
 
+    /// Declare the keys and read their values. Throws SceneError if coefficients and moduli do not
+    /// agree.
+    /// @param section of the body, or of a set of its cells
     void
     declare(Section &section);
   };

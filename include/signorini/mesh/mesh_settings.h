@@ -11,43 +11,54 @@ namespace Signorini
 {
   class Section;
 
-  /// A part of space in which cells are refined before the first solution.
+  /// A region of space in which cells are refined before the first solution.
   template <int dim>
   struct RefinementRegion
   {
-    std::string     name;
-    Expression<dim> where{"1"}; ///< refined where positive (at a vertex or the center of the cell)
-    std::vector<std::string> bodies; ///< empty: all
-    std::string              place;  ///< of the bodies in the scene file
-    unsigned int             times = 1;
+    std::string name;
+    /// Cells are refined where this function is positive at a vertex or at the centre.
+    Expression<dim> where{"1"};
+    /// Names of the bodies; empty: all.
+    std::vector<std::string> bodies;
+    /// Position in the scene file, for messages.
+    std::string  place;
+    unsigned int times = 1;
 
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section of the region
     void
     declare(Section &section);
   };
 
-  /// Who distributes the cells.
+  /// The partitioner of the mesh.
   enum class Distribution
   {
     p4est,
-    METIS ///< once: the mesh stays as it is
+    /// The mesh is partitioned once and cannot be refined adaptively.
+    METIS
   };
 
   template <int dim>
   struct MeshSettings
   {
-    std::optional<Distribution>        distribution; ///< none: chosen
-    unsigned int                       refinements         = 0;
-    unsigned int                       contact_refinements = 0;
-    unsigned int                       geometry_degree     = 0; ///< 0: chosen
-    double                             slave_face_weight   = 2;
+    /// Partitioner; none: chosen by the number of coarse cells.
+    std::optional<Distribution> distribution;
+    unsigned int                refinements         = 0;
+    unsigned int                contact_refinements = 0;
+    /// Polynomial degree of cells and surfaces; 0: chosen.
+    unsigned int                       geometry_degree   = 0;
+    double                             slave_face_weight = 2;
     std::vector<RefinementRegion<dim>> refinement_regions;
 
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section `Mesh`
     void
     declare(Section &section);
 
-    /// By p4est, which puts coarse cells into an order in seconds that grow with the square of
-    /// their number (300,000 cells: 70 s); or else by METIS, for which each rank has all cells in
+    /// @return whether p4est partitions the mesh. It sorts the coarse cells in a time that grows
+    /// with the square of their number (300,000 cells: 70 s); with METIS each rank has all cells at
     /// the beginning.
+    /// @param n_coarse_cells number of coarse cells
     bool
     by_p4est(std::size_t n_coarse_cells) const;
   };

@@ -11,44 +11,59 @@
 
 namespace Signorini
 {
-  /// The surfaces on which gaps and normals are taken.
+  /// The configuration in which gaps and normals are evaluated.
   enum class ContactGeometry
   {
-    automatic, ///< as they are now, where that changes the pressure
-    reference, ///< at rest
-    updated    ///< as they are now
+    /// The current one, if that changes the pressure; otherwise the reference configuration.
+    automatic,
+    /// The reference configuration (small sliding).
+    reference,
+    /// The current configuration (large sliding), doc/theory, 5.
+    updated
   };
 
-  /// The method by which contact is imposed, and how its surfaces are integrated.
+  /// The contact method, and how contact surfaces are integrated.
   struct ContactSettings
   {
-    std::string method = "Lagrange multiplier"; ///< or "auto"
+    /// Name of the method, or "auto".
+    std::string method = "Lagrange multiplier";
     std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
-                        methods;               ///< all, each with its keys
-    std::optional<Rule> integration;           ///< none: what suits the method
-    unsigned int        quadrature_points = 0; ///< 0: as many as the method and the degree need
-    Basis               pressure_basis    = Basis::dual; ///< of methods that sample at nodes
-    ContactGeometry     geometry          = ContactGeometry::automatic;
-    double              geometry_share    = 0.005; ///< of the pressure that is not worth an update
+      /// All methods with their names; each has its own keys.
+      methods;
+    /// Integration rule; none: that which suits the method.
+    std::optional<Rule> integration;
+    /// Number of points in each direction; 0: as many as method and degree need.
+    unsigned int quadrature_points = 0;
+    /// Pressure basis of methods that sample at nodes, doc/theory, 3.4.
+    Basis           pressure_basis = Basis::dual;
+    ContactGeometry geometry       = ContactGeometry::automatic;
+    /// Relative change of the pressure that is not worth a geometry update.
+    double geometry_share = 0.005;
 
+    /// Create all methods with their defaults.
     ContactSettings();
 
-    /// Nobody has chosen the method.
+    /// @return whether the program chooses the method.
     bool
     is_automatic() const;
 
-    /// The name of the method; with "auto" that of the one which the program takes.
+    /// @return the name of the method; with "auto" that of the method that the program takes.
     std::string
     chosen_name() const;
 
+    /// @return the method.
     const ContactMethod &
     chosen() const;
 
-    /// With the number of points that the method needs where slave and master have elements of
+    /// @return the integration, with the number of points that the method needs for elements of
     /// these degrees.
+    /// @param slave degree of the slave body
+    /// @param master degree of the master body; 0 for obstacles
     Integration
     integration_of_degrees(unsigned int slave, unsigned int master) const;
 
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section `Contact method`
     void
     declare(Section &section);
   };

@@ -9,35 +9,44 @@ namespace Signorini
 {
   class Section;
 
-  /// The history of loading.
+  /// The load steps.
   struct LoadSteps
   {
-    double              end_time     = 1;
-    unsigned int        number       = 1;
-    bool                is_automatic = false; ///< as many as are needed, of any length
-    std::vector<double> times;                ///< instead of equal steps
-    std::vector<double> changes;              ///< at which steps end too: of supports
+    double       end_time = 1;
+    unsigned int number   = 1;
+    /// As many steps of any length as are needed.
+    bool is_automatic = false;
+    /// Ends of the steps; empty: equal steps.
+    std::vector<double> times;
+    /// Times at which supports change, where steps end as well.
+    std::vector<double> changes;
     unsigned int        cut_backs = 4;
 
-    /// The ends of all steps that are asked for; of automatic ones the last, and the changes.
+    /// @return the ends of all prescribed steps, increasing; for automatic ones the last end, and
+    /// the changes.
     std::vector<double>
     ends() const;
 
-    /// The shortest step that is tried on the way to the end of one that is so long.
+    /// @return the length of the shortest step that is tried on the way to the end of a prescribed
+    /// one.
+    /// @param whole length of the prescribed step
     double
     shortest(double whole) const;
 
-    /// Of the next step.
-    /// @param last the length of the one that was solved
-    /// @param newton_steps that it took
-    /// @param so_far what it may be for what was before
+    /// @return the length of the next step.
+    /// @param last the length of the step that was solved
+    /// @param newton_steps number of Newton steps that it took
+    /// @param so_far largest length that earlier steps have permitted
     double
     next_length(double last, unsigned int newton_steps, double so_far) const;
 
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section `Load steps`
     void
     declare(Section &section);
 
   private:
+    /// Interpret the number of steps, which may be `automatic`.
     void
     read_number(Section &section, const Formula &text);
   };

@@ -8,19 +8,26 @@
 
 namespace Signorini
 {
-  /// What a run leaves behind, apart from the results file.
+  /// The files of a run, in addition to results.json.
   template <int dim>
   struct OutputSettings
   {
-    std::string             directory; ///< empty: output/ and the name of the scene
-    bool                    vtu                = true;
-    bool                    linear_reference   = false;
-    bool                    strict             = false; ///< warnings of the verdict are failures
-    unsigned int            checkpoint_steps   = 0;  ///< every so many load steps; 0: not by steps
-    double                  checkpoint_minutes = 10; ///< of wall time; 0: not by time
-    double                  time_limit         = 0;  ///< minutes of wall time; 0: none
+    /// Output directory; empty: output/ and the name of the scene.
+    std::string directory;
+    bool        vtu              = true;
+    bool        linear_reference = false;
+    /// Whether warnings of the verdict are failures.
+    bool strict = false;
+    /// Number of load steps between checkpoints; 0: not by steps.
+    unsigned int checkpoint_steps = 0;
+    /// Time between checkpoints [minutes of wall time]; 0: not by time.
+    double checkpoint_minutes = 10;
+    /// Limit of the run [minutes of wall time]; 0: none.
+    double                  time_limit = 0;
     std::vector<Probe<dim>> probes;
 
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section `Output`
     void
     declare(Section &section);
   };

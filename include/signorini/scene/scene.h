@@ -21,41 +21,52 @@
 
 namespace Signorini
 {
-  /// What a set of cells of a body is made of, instead of the body's own material.
+  /// The material of a set of cells, instead of that of the body.
   struct MaterialOfCells
   {
-    std::string         name, cells; ///< the set, as the mesh file calls it
-    std::string         place;       ///< of the set in the scene file
-    Material            material;
-    std::vector<double> expansion; ///< as ThermalExpansion::coefficients; empty: as the body's
+    /// Name of the item, and of the cell set in the mesh file.
+    std::string name, cells;
+    /// Position of the cell set in the scene file.
+    std::string place;
+    Material    material;
+    /// As ThermalExpansion::coefficients; empty: those of the body.
+    std::vector<double> expansion;
 
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section of the item
     void
     declare(Section &section);
   };
 
-  /// An elastic body: a mesh, a material, and a temperature if that matters.
+  /// An elastic body: a mesh, materials, and possibly thermal expansion.
   template <int dim>
   struct Body
   {
-    std::string                  name;
-    unsigned int                 degree = 0; ///< of the displacement; 0: that of all bodies
-    BodyMesh<dim>                mesh;
-    Material                     material;
-    ThermalExpansion<dim>        expansion;
-    std::vector<MaterialOfCells> others; ///< beside `material`
+    std::string name;
+    /// Polynomial degree of the displacement; 0: that of all bodies.
+    unsigned int          degree = 0;
+    BodyMesh<dim>         mesh;
+    Material              material;
+    ThermalExpansion<dim> expansion;
+    /// Materials of sets of cells, in addition to `material`.
+    std::vector<MaterialOfCells> others;
 
+    /// Declare the keys and read their values. Throws SceneError.
+    /// @param section of the body
     void
     declare(Section &section);
 
-    /// `material` and the others, in the order of their ids.
+    /// @return `material` and the others, in the order of their ids.
     std::vector<const Material *>
     materials() const;
 
-    /// Throws SceneError where the body refers to what its mesh does not have.
+    /// Throws SceneError where the body refers to sets that its mesh does not have.
     void
     check() const;
   };
 
+  /// @return the names of items.
+  /// @param items any container of objects with a name
   template <typename Items>
   std::vector<std::string>
   names_of(const Items &items)
@@ -66,26 +77,34 @@ namespace Signorini
     return names;
   }
 
-  /// How much bodies may deform.
+  /// The kinematics of all bodies.
   enum class Deformation
   {
-    small,    ///< strains and rotations are small beside one
-    finite,   ///< any amount (doc/theory, 6)
-    automatic ///< small, until a solution shows that this neglects too much
+    /// Strains and rotations are small compared with one.
+    small,
+    /// Any strains and rotations (doc/theory, 6).
+    finite,
+    /// Small, until a solution shows that this neglects too much.
+    automatic
   };
 
-  /// All that the user said, in the order of the scene file, which is the order of the data.
-  /// Nothing of it changes after it was read; what the program decides are Decisions.
+  /// A scene: all input of the user, in the order of the scene file, which is the order in which
+  /// the data are used. It is not changed after it was read; the choices of the program are
+  /// Decisions.
   template <int dim>
   struct Scene
   {
-    std::string model             = model_names<dim>().front();
-    Deformation deformation       = Deformation::small;
-    double      deformation_share = 0.01; ///< of the work that automatic does not become finite for
+    std::string model       = model_names<dim>().front();
+    Deformation deformation = Deformation::small;
+    /// Share of the work that small strain may neglect with Deformation::automatic.
+    double      deformation_share = 0.01;
     std::string title;
-    std::string skipped_items; ///< by an import, see skipped_in()
-    std::string name;          ///< of the scene file, without folder and .prm
-    RawSection  given;         ///< what was read
+    /// Features that an import has omitted, see skipped_in().
+    std::string skipped_items;
+    /// Name of the scene file, without folder and .prm.
+    std::string name;
+    /// The contents of the file.
+    RawSection given;
 
     Definitions                   definitions;
     std::vector<Body<dim>>        bodies;
@@ -93,10 +112,13 @@ namespace Signorini
     std::vector<Support<dim>>     supports;
     std::vector<Load<dim>>        loads;
     std::vector<ContactPair<dim>> pairs;
-    bool auto_pairs = false; ///< to be found: the one pair says what they have in common
-    MeshSettings<dim>           mesh;
-    unsigned int                degree = 1; ///< of bodies that do not say theirs; 0: by the target
-    bool                        degree_is_set = false; ///< the user has set that
+    /// Whether pairs are to be found; then the only pair has their common properties.
+    bool              auto_pairs = false;
+    MeshSettings<dim> mesh;
+    /// Degree of bodies without one of their own; 0: chosen by the target.
+    unsigned int degree = 1;
+    /// Whether the user has set `degree`.
+    bool                        degree_is_set = false;
     ContactSettings             contact;
     Goals                       goals;
     RefinementSettings          refinement;
@@ -107,38 +129,44 @@ namespace Signorini
     KnownSolution<dim>          known;
     std::vector<ExpectedResult> expected;
 
-    std::vector<std::string> notes; ///< of what was read from files, for the user
+    /// Messages about files, for the user.
+    std::vector<std::string> notes;
 
+    /// Declare all keys and read their values. Throws SceneError.
+    /// @param section the whole file
     void
     declare(Section &section);
 
-    /// Read the files that the scene names, relative to the present folder, or to that of the
-    /// scene. Throws SceneError where they are not good, or without what the scene names in them.
+    /// Read the files that the scene names, relative to the current folder, or to that of the
+    /// scene. Throws SceneError if they are not valid, or lack names of the scene.
+    /// @param folder of the scene file
     void
     read_files(const std::string &folder);
 
-    /// Everything that can be wrong before a mesh is made: names that do not exist, choices that
-    /// contradict each other. Throws SceneError.
+    /// Throws SceneError for everything that can be wrong before a mesh is made: names that do not
+    /// exist, choices that contradict each other.
     void
     check() const;
 
-    /// The pairs that the user names; none where Names = auto.
+    /// @return the pairs that the user has named; empty with Names = auto.
     std::vector<ContactPair<dim>>
     named_pairs() const
     {
       return auto_pairs ? std::vector<ContactPair<dim>>() : pairs;
     }
 
-    /// Meshes that are refined, at most.
+    /// @return the largest number of refinement cycles.
     unsigned int
     maximum_cycles() const;
 
-    /// The obstacle that is a pair's master, or null.
+    /// @return the obstacle that is the master of a pair; null if there is none.
+    /// @param pair of the scene
     const Obstacle<dim> *
     obstacle_of(const ContactPair<dim> &pair) const;
 
   private:
-    /// Throws SceneError where a support begins after the end.
+    /// Let load steps end where supports begin or end. Throws SceneError where a support begins
+    /// after the end of the load history.
     void
     end_steps_at_support_changes();
   };

@@ -14,7 +14,8 @@ namespace Signorini
 
   namespace
   {
-    /// One along a direction at the nodes of a support, as far as it holds them, zero elsewhere.
+    /// @return a displacement that is a unit vector at the nodes of a support, projected onto the
+    /// directions that the support prescribes, and zero elsewhere.
     template <int dim>
     LA::Vector
     indicator_on_support(const Elasticity<dim> &elasticity,
@@ -39,8 +40,8 @@ namespace Signorini
       return result;
     }
 
-    /// Forces of the bodies' stiffness on the free degrees of freedom by a displacement that is
-    /// zero in most cells.
+    /// @return the product of the stiffness with a displacement, on the free degrees of freedom.
+    /// Cells where the displacement is zero are skipped, since it is zero in most. Collective.
     template <int dim>
     LA::Vector
     forces_of(const Elasticity<dim> &elasticity, const LA::Vector &w)
@@ -70,7 +71,8 @@ namespace Signorini
       return result;
     }
 
-    /// The support exerts w.(forces of the stiffness - loads - contact forces).
+    /// @return the reaction of a support along a coordinate as functional w.(stiffness forces -
+    /// loads - contact forces), with the indicator w of the support as lift.
     template <int dim>
     Functional
     reaction_along(const Snapshot<dim> &s, const std::string &name, const unsigned int direction)
@@ -88,7 +90,7 @@ namespace Signorini
       of_pressure *= -1;
       if (contact.has_stress() && contact.theta != 0)
         {
-          // Of the force theta S^T W (s - p)/eps too.
+          // Nitsche's method has the additional force theta S^T W (s - p)/eps.
           LA::Vector by_stress = contact.zero();
           contact.S.vmult(by_stress, result.lift);
           by_stress.scale(contact.weight);
@@ -102,6 +104,7 @@ namespace Signorini
       return result;
     }
 
+    /// @return the values at a probe of one point.
     template <int dim>
     ProbeValue<dim>
     value_at(const Snapshot<dim> &s, const Probe<dim> &probe)
@@ -112,6 +115,8 @@ namespace Signorini
 
 
 
+  // The radial component of an axisymmetric reaction is zero: radial forces balance around the
+  // axis.
   template <int dim>
   Functional
   reaction(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
@@ -192,6 +197,7 @@ namespace Signorini
     const unsigned int i     = component_number(name.component.substr(0, 1)),
                        j     = component_number(name.component.substr(1));
     SymmetricTensor<2, 3> which;
+    // The product with a symmetric stress counts an off-diagonal component twice.
     which[i][j]            = i == j ? 1 : 0.5; // counts twice
     Functional result      = zero_functional(s);
     result.value           = value_at(s, probe).stress[i][j];
@@ -201,6 +207,8 @@ namespace Signorini
 
 
 
+  // The derivative of the von Mises stress by the stress is 3/2 dev(sigma)/sigma_v; zero stress has
+  // none.
   template <int dim>
   Functional
   probe_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)

@@ -11,6 +11,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // The derivative of the energy is the vector of internal forces, the integral of sigma:eps(v).
+  // Its value is quadratic in the displacement, see error_estimate().
   template <int dim>
   Functional
   energy(const QuantityName &, const Snapshot<dim> &s, const Probes<dim> &)

@@ -5,88 +5,96 @@
 
 namespace Signorini
 {
-  // What quantity.cc lists. All collective.
+  // Evaluation of all kinds of quantities that quantity.cc lists. Each function returns value and
+  // derivative of the quantity with a name at a solution; all are collective.
 
-  /// The contact force of a pair: sum of pressure times area times normal, its norm or a component.
+  /// The contact force of a pair, the sum of pressure times area times normal: its norm or a
+  /// component [force].
   template <int dim>
   Functional
   pair_force(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// Pressure times area.
+  /// The integral of the pressure of a pair [force].
   template <int dim>
   Functional
   normal_force(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// Normal force over contact area.
+  /// The normal force over the contact area [stress].
   template <int dim>
   Functional
   mean_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// At nodes, as in the results. Regularised: the mean over a face about it.
+  /// The largest nodal pressure of a pair, as in the results [stress]. Regularised: its derivative
+  /// is that of the mean over a face around the node.
   template <int dim>
   Functional
   largest_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// The contact area, regularised: the integral of p/(p + a quarter of its mean).
+  /// The contact area of a pair [area]. Regularised: its derivative is that of the integral of p/(p
+  /// + a quarter of its mean), (8.4).
   template <int dim>
   Functional
   contact_area(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// The largest semi-axis of the zone; the radius if it is axisymmetric.
+  /// The largest semi-axis of the contact zone, or its radius in axisymmetric models [length].
   template <int dim>
   Functional
   half_width(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// The radius of the circle with the area of contact.
+  /// The radius of a circle with the area of contact [length].
   template <int dim>
   Functional
   contact_radius(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// Force of a support on the bodies, its size or a component.
+  /// The force of a support on the bodies, its norm or a component [force].
   template <int dim>
   Functional
   reaction(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// Displacement of an obstacle, its size or a component.
+  /// The displacement of an obstacle, its norm or a component [length].
   template <int dim>
   Functional
   motion(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
+  /// The displacement at a point, its norm or a component [length].
   template <int dim>
   Functional
   probe_displacement(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes);
 
+  /// A stress component at a point [stress].
   template <int dim>
   Functional
   probe_stress(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes);
 
+  /// The von Mises stress at a point [stress].
   template <int dim>
   Functional
   probe_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes);
 
-  /// Recovered, where the slave is closest. Regularised: the mean over a face about it.
+  /// The recovered pressure at the point of the slave that is closest to a probe [stress].
+  /// Regularised: its derivative is that of the mean over a face around the point.
   template <int dim>
   Functional
   probe_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes);
 
-  /// Elastic energy of all bodies: half of int sigma:eps dV.
+  /// The elastic energy of all bodies, half of int sigma:eps dV.
   template <int dim>
   Functional
   energy(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  // What several of them need.
+  // Functions that several of them use.
 
-  /// All derivatives zero.
+  /// @return a functional with the value 0 and zero derivatives of the right size.
   template <int dim>
   Functional
   zero_functional(const Snapshot<dim> &s);
 
-  /// x, y, z -> 0, 1, 2
+  /// @return the number of a component: x, y, z are 0, 1, 2.
   unsigned int
   component_number(const std::string &component);
 
-  /// What a name means by a vector whose components are functionals: one of them, or its size |F|,
-  /// with the derivative F/|F| . F'.
+  /// @return the functional that a name denotes: a component of a vector, or its norm |F| with the
+  /// derivative F/|F| . F'.
   Functional
   size_or_component(const QuantityName &name, const std::vector<Functional> &components);
 } // namespace Signorini

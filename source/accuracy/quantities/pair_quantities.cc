@@ -19,6 +19,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the index of the pair with a name, which exists.
     template <int dim>
     unsigned int
     number_of_pair(const Snapshot<dim> &s, const std::string &name)
@@ -29,7 +30,7 @@ namespace Signorini
       return pair;
     }
 
-    /// Calls visit(row) for the contact points of a pair.
+    /// Call visit(row) for all locally owned contact points of a pair.
     template <int dim, typename Visit>
     void
     for_rows(const Snapshot<dim> &s, const unsigned int pair, const Visit &visit)
@@ -40,7 +41,8 @@ namespace Signorini
           visit(i);
     }
 
-    /// The sum of weights times pressures.
+    /// @return the functional that is the sum of weight(i) times pressure over the contact points
+    /// of a pair.
     template <int dim>
     Functional
     weighted_pressure(const Snapshot<dim>                                    &s,
@@ -54,6 +56,7 @@ namespace Signorini
       return result;
     }
 
+    /// @return the contact zone of a pair, by its recovered pressure.
     template <int dim>
     ContactPatch
     patch_of(const Snapshot<dim> &s, const unsigned int pair)
@@ -61,9 +64,11 @@ namespace Signorini
       return contact_patch(s, pair, recovered_pressure(s, pair));
     }
 
-    /// The derivative is that of int p/(p + c) dA with c a quarter of the mean pressure, which is
-    /// most where pressures are small, at the edge of contact. In units of the quantity: a relative
-    /// error of the area is one of the quantity.
+    /// @return a quantity that is a power of the contact area (1: area, 1/2: radius) with the given
+    /// value. Its derivative is that of int p/(p + c) dA, (8.4), with c a quarter of the mean
+    /// pressure, which is largest where pressures are small, at the edge of contact. It is scaled
+    /// such that a relative error of the area becomes the corresponding relative error of the
+    /// quantity.
     template <int dim>
     Functional
     as_area(const Snapshot<dim> &s,
@@ -72,7 +77,7 @@ namespace Signorini
             const double         value,
             const double         power)
     {
-      // Where the edge is, in faces.
+      // The uncertainty of the edge of contact, in widths of a face.
       const double sharpness = samples_nodes(s.contact) ? 0.15 : 0.5;
       double       force = 0, area = 0;
       for_rows(s, pair, [&](const auto i) {
@@ -112,7 +117,7 @@ namespace Signorini
     const unsigned int      pair = number_of_pair(s, name.of);
     const double            sign = s.pairs[pair].exchanged ? -1 : 1;
     std::vector<Functional> components;
-    // Around the axis radial forces are in balance.
+    // Radial forces balance around the axis of an axisymmetric model.
     for (unsigned int d = 0; d < dim; ++d)
       components.push_back(weighted_pressure<dim>(s, pair, [&](const auto i) {
         return d == 0 && s.elasticity.model() == Model::axisymmetric ?
@@ -145,7 +150,7 @@ namespace Signorini
     if (patch.area == 0)
       return result;
     const double mean = result.value / patch.area;
-    // Where all is in contact, the area is not asked.
+    // Where the whole surface is in contact, the area does not change.
     if (patch.edge > 0)
       {
         const Functional area = as_area(s, pair, patch, patch.area, 1.);
@@ -162,7 +167,8 @@ namespace Signorini
 
   namespace
   {
-    /// The mean over a face about a place, with weights that fall linearly.
+    /// @return the mean pressure around a point, with weights that decrease linearly to zero at the
+    /// distance of the largest face; that is doubled until there are contact points.
     template <int dim>
     Functional
     weighted_pressure_near(const Snapshot<dim>  &s,
@@ -191,8 +197,9 @@ namespace Signorini
       return result;
     }
 
-    /// Is the node at that place on a face with one that carries no pressure? Its own then stands
-    /// for both, which a dual solution for this node alone does not know.
+    /// @return whether the node at a point is on a face that has a node without pressure function.
+    /// The function of a node then represents both, which a dual solution for this node alone does
+    /// not take into account. Collective.
     template <int dim>
     bool
     is_beside_dirichlet_node(const Snapshot<dim>  &s,
@@ -213,8 +220,9 @@ namespace Signorini
       return Utilities::MPI::max(is_beside ? 1 : 0, s.elasticity.mesh().communicator()) == 1;
     }
 
-    /// What the largest pressure may be off by, as a share of it, since the mesh is too coarse for
-    /// its peak. Of those that are not resolved neighbours do not tell how high they are.
+    /// @return the possible relative error of the largest pressure because the mesh does not
+    /// resolve its peak. For peaks that are not resolved at all, the neighbours say little about
+    /// the height.
     double
     unknown_share(const double sharpness)
     {
@@ -231,7 +239,7 @@ namespace Signorini
     const unsigned int pair  = number_of_pair(s, name.of);
     const MPI_Comm     comm  = s.elasticity.mesh().communicator();
     const LA::Vector  &nodal = recovered_pressure(s, pair);
-    // The contact point with the largest pressure, the first of those with the same.
+    // The contact point with the largest pressure on all ranks; of equal ones the first.
     double                  largest = -std::numeric_limits<double>::max();
     types::global_dof_index row     = numbers::invalid_dof_index;
     for_rows(s, pair, [&](const auto i) {

@@ -16,6 +16,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the point with these coordinates. Throws SceneError if there are not dim of them.
     template <int dim>
     Point<dim>
     point_from(const std::vector<double> &coordinates)
@@ -30,7 +31,8 @@ namespace Signorini
 
 
 
-    /// Throws SceneError without a place.
+    /// @return the corners of a text "x,y : x,y". Throws SceneError without the position in the
+    /// scene.
     template <int dim>
     std::array<Point<dim>, 2>
     corners_from(const Formula &text)
@@ -53,8 +55,8 @@ namespace Signorini
 
 
 
-    /// n steps that add up to the length, each q times the one before it, the last `ratio` times
-    /// the first.
+    /// @return n steps that add up to a length, each q times the one before it, the last one
+    /// `ratio` times the first.
     std::vector<double>
     steps(const double length, const unsigned int n, const double ratio)
     {
@@ -150,6 +152,8 @@ namespace Signorini
 
 
 
+  // Cells can be merged as often as all numbers of subdivisions are divisible by two. Small boxes
+  // and graded ones are not merged.
   template <int dim>
   unsigned int
   BoxMesh<dim>::possible_merges() const

@@ -27,7 +27,7 @@ namespace Signorini
       return generate_merged(0);
     }
 
-    /// For boxes in space of more than a thousand equal cells.
+    /// Cells are merged in three-dimensional boxes of more than a thousand equal cells.
     unsigned int
     possible_merges() const override;
 
@@ -48,6 +48,7 @@ namespace Signorini
     std::vector<unsigned int> subdivisions;
     std::vector<double>       grading;
 
-    dealii::Point<dim> low, high; ///< what `corners` says
+    /// The points of `corners`.
+    dealii::Point<dim> low, high;
   };
 } // namespace Signorini

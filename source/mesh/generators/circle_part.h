@@ -6,12 +6,12 @@
 
 namespace Signorini
 {
-  /// A part of a disc or a ring: that between two angles, in right angles from the x axis.
+  /// A part of a disc or a ring between two angles, in multiples of right angles from the x axis.
   struct CirclePart
   {
     unsigned int first = 0, quarters = 4;
 
-    /// Cut along the line of all points with the x, or the y, of the center.
+    /// @return whether the part is cut at the x (or the y) of the centre.
     bool
     is_cut_at_x() const
     {
@@ -24,7 +24,7 @@ namespace Signorini
       return quarters == 1 || (quarters == 2 && first % 2 == 0);
     }
 
-    /// True if it lies above the center.
+    /// @return whether the part is above the centre.
     bool
     is_upper() const
     {
@@ -32,11 +32,12 @@ namespace Signorini
     }
   };
 
-  /// For the choice among them: "full", halves and quarters.
+  /// @return the names of all parts: "full", halves and quarters.
   std::vector<std::string>
   circle_part_names();
 
-  /// `name` is one of circle_part_names().
+  /// @return the part of a name.
+  /// @param name one of circle_part_names()
   CirclePart
   circle_part(const std::string &name);
 } // namespace Signorini

@@ -56,6 +56,7 @@ namespace Signorini
 
 
 
+  // A quarter of a disc of radius one is rotated and merged, then scaled and shifted.
   CoarseMesh<2>
   DiscMesh::generate() const
   {

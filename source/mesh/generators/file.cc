@@ -26,6 +26,8 @@ namespace Signorini
 
   namespace
   {
+    /// @return the boundaries on spheres and cylinders that the scene lists; none if the text is a
+    /// keyword. Throws SceneError with the position of the key.
     template <int dim>
     std::vector<CurvedBoundary<dim>>
     read_curved_boundaries(const std::string &text, const Section &section)
@@ -44,6 +46,7 @@ namespace Signorini
 
 
 
+    /// Throw SceneError if a group does not exist.
     void
     check_groups(const MeshFile &file, const std::vector<std::string> &wanted)
     {
@@ -58,6 +61,7 @@ namespace Signorini
 
 
 
+    /// Append messages.
     void
     append(const std::vector<std::string> &more, std::vector<std::string> &notes)
     {
@@ -66,7 +70,7 @@ namespace Signorini
 
 
 
-    /// Vertices between others may have moved far.
+    /// Throw SceneError if a cell is inverted after vertices have been moved onto curved surfaces.
     template <int dim>
     void
     check_not_folded(const Triangulation<dim> &triangulation, const FilePart<dim> &part)
@@ -89,7 +93,8 @@ namespace Signorini
 
 
 
-    /// One a vertex of the part; none without a name.
+    /// @return the temperature of each vertex of the part; empty if no field is named. Throws
+    /// SceneError if the field does not exist, or lacks a value.
     template <int dim>
     std::vector<double>
     temperatures_of(const MeshFile &file, const FilePart<dim> &part, const std::string &name)
@@ -119,7 +124,7 @@ namespace Signorini
 
 
 
-    /// The cells of each group that has any in the part, by their places in it.
+    /// @return the cells of each group, as indices into the part.
     template <int dim>
     std::map<std::string, std::vector<unsigned int>>
     cell_sets_of(const MeshFile &file, const FilePart<dim> &part)
@@ -138,8 +143,8 @@ namespace Signorini
 
 
 
-    /// Plane cells that lie across y or x, and not across z, are turned into the plane of x and y.
-    /// @return a note that says so, or none
+    /// Rotate plane cells in the xz or yz plane of the file into the xy plane.
+    /// @return a message about it, or none
     std::vector<std::string>
     flatten(MeshFile &file)
     {
@@ -175,6 +180,7 @@ namespace Signorini
 
 
 
+    /// @return whether a list contains a name.
     bool
     is_in(const std::string &name, const std::vector<std::string> &names)
     {
@@ -305,6 +311,7 @@ namespace Signorini
 
 
 
+  // Nodes that coincide must be merged before cells are divided, so that neighbours agree.
   template <int dim>
   FileSelection
   FileMesh<dim>::divide(MeshFile &all, std::vector<std::string> &notes) const
@@ -325,6 +332,9 @@ namespace Signorini
 
 
 
+  // The steps depend on each other: (1) read; (2) sets of the scene; (3) division into hexahedra;
+  // (4) the part as a triangulation; (5) curved boundaries of the scene; (6) mid-side nodes, or
+  // else reconstruction of surfaces. `key` is the key of the scene that an error refers to.
   template <int dim>
   std::vector<std::string>
   FileMesh<dim>::read_file(const std::string &folder)
@@ -399,7 +409,7 @@ namespace Signorini
       }
     catch (const SceneError &error)
       {
-        // The readers name the file that they read, which may be an included one.
+        // The readers name the file in their messages, which may be an included one.
         const std::string what = error.what(), named = "mesh file '";
         const bool        is_it = what.compare(0, named.size(), named) == 0;
         throw SceneError(place_of[key] + ": " + (is_it ? what : named + path + "' " + what));

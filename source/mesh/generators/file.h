@@ -7,11 +7,14 @@
 
 namespace Signorini
 {
-  /// True if a file is there; false also for names that no file can have.
+  /// @return whether a file exists; false also for names that no file can have.
+  /// @param name path
   bool
   file_exists(const std::string &name);
 
-  /// Where a file is: as named, or in that folder; the name itself if it is not there.
+  /// @return the path of a file: as named, or in a folder; the name itself if it is in neither.
+  /// @param file name
+  /// @param folder in which it is looked for if it is not found as named
   std::string
   find_beside_scene(const std::string &file, const std::string &folder);
 
@@ -24,7 +27,8 @@ namespace Signorini
     void
     declare(Section &section) override;
 
-    /// The mesh must be good, and the names in the section in it.
+    /// Read and check the file. Throws SceneError if its mesh cannot be used, or names of the scene
+    /// are not in it.
     std::vector<std::string>
     read_file(const std::string &folder) override;
 
@@ -93,24 +97,31 @@ namespace Signorini
     }
 
   private:
-    /// The sets that the scene makes, as if they were in the file.
+    /// Add the sets that the scene defines as if they were in the file.
+    /// @param all the file
+    /// @param key is set to the key that is processed, for messages
     void
     add_sets(MeshFile &all, std::string &key) const;
 
-    /// Divide cells that are no quadrilaterals or hexahedra. Returns how to go on.
-    /// @param notes what was divided is added
+    /// Divide cells that are not quadrilaterals or hexahedra.
+    /// @param all the file, which is changed
+    /// @param notes to which messages are appended
+    /// @return the selection for the divided file
     FileSelection
     divide(MeshFile &all, std::vector<std::string> &notes) const;
 
-    std::string                        file, curved_text = "automatic", temperature_field;
-    std::string                        node_set_text, face_set_text, cell_set_text;
-    FileSelection                      selection;
-    bool                               mid_side_nodes = true;
-    std::vector<CurvedBoundary<dim>>   surfaces; ///< those that `curved_text` names
-    std::map<std::string, std::string> place_of; ///< keys, in the scene
+    std::string   file, curved_text = "automatic", temperature_field;
+    std::string   node_set_text, face_set_text, cell_set_text;
+    FileSelection selection;
+    bool          mid_side_nodes = true;
+    /// The surfaces that `curved_text` describes.
+    std::vector<CurvedBoundary<dim>> surfaces;
+    /// Positions of keys in the scene.
+    std::map<std::string, std::string> place_of;
 
-    CoarseMesh<dim>                                  mesh;
-    std::vector<double>                              temperatures; ///< at its vertices
+    CoarseMesh<dim> mesh;
+    /// Temperatures at the vertices of the mesh.
+    std::vector<double>                              temperatures;
     FileNodes<dim>                                   nodes;
     std::map<std::string, std::vector<unsigned int>> sets_of_cells;
     std::string                                      unless_pair;

@@ -14,6 +14,7 @@ namespace Signorini
   {
     const double tolerance = 1e-8;
 
+    /// @return whether a surface contains all vertices of a face.
     template <int dim>
     bool
     contains(const NamedSurface<dim>                          &surface,
@@ -31,7 +32,7 @@ namespace Signorini
   void
   check_size(const Section &section, const std::string &key, const double size, const double reach)
   {
-    // Squares of lengths must be numbers, and coordinates of neighbours different ones.
+    // Squares of lengths must be representable, and coordinates of neighbouring points must differ.
     if (!(size > 1e-100 && reach < 1e100 && reach < 1e7 * size))
       section.fail(key,
                    "is too small, too large or too far from the origin for double precision; use "

@@ -7,39 +7,53 @@
 
 namespace Signorini
 {
-  /// A boundary of a generated mesh: the boundary faces all of whose vertices it contains.
+  /// A boundary of a generated mesh: all boundary faces whose vertices it contains.
   template <int dim>
   struct NamedSurface
   {
-    std::string                                     name;
+    std::string name;
+    /// Whether a point is on the surface, up to rounding.
     std::function<bool(const dealii::Point<dim> &)> contains;
-    /// Where new points of its faces and their edges go; null: the faces keep the manifold they
-    /// have.
+    /// The manifold of its faces and their edges; null: they keep the manifold that they have.
     std::shared_ptr<dealii::Manifold<dim>> manifold;
   };
 
-  /// Refuse a size, given by a key, that numbers cannot tell from nothing, or at that distance from
-  /// the origin.
+  /// Throws SceneError if a size cannot be resolved in double precision, or not at its distance
+  /// from the origin.
+  /// @param section of the key
+  /// @param key that has the size
+  /// @param size [length]
+  /// @param reach largest distance [length] from the origin
   void
   check_size(const Section &section, const std::string &key, double size, double reach);
 
-  /// The plane on which coordinate number `axis` has the given value. `size` is that of the mesh:
-  /// the tolerance is relative to it.
+  /// @return the plane on which a coordinate has a value.
+  /// @param name of the boundary
+  /// @param axis number of the coordinate
+  /// @param value of the coordinate
+  /// @param size of the mesh, to which the tolerance is relative
   template <int dim>
   NamedSurface<dim>
   plane(const std::string &name, unsigned int axis, double value, double size);
 
-  /// The sphere (2D: circle), without a manifold.
+  /// @return a sphere (2D: circle), without manifold.
+  /// @param name of the boundary
+  /// @param center of the sphere
+  /// @param radius of the sphere
   template <int dim>
   NamedSurface<dim>
   sphere(const std::string &name, const dealii::Point<dim> &center, double radius);
 
+  /// @return the names of some surfaces.
   template <int dim>
   std::vector<std::string>
   names_of(const std::vector<NamedSurface<dim>> &surfaces);
 
-  /// Name the boundary faces after the first surface that contains them, which sets their manifold.
-  /// The generator itself may use the manifold id 0, and no other, on cells.
+  /// Assign each boundary face to the first surface that contains it, which sets its manifold.
+  /// @param triangulation the mesh, whose generator may use the manifold id 0, and no other, on
+  /// cells
+  /// @param surfaces which contain all boundary faces
+  /// @return the coarse mesh
   template <int dim>
   CoarseMesh<dim>
   with_boundaries(dealii::Triangulation<dim>           &triangulation,

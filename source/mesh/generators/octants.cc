@@ -12,6 +12,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return a rotated point; rotations by right angles are exact.
     template <int dim>
     Point<dim>
     rotated(Point<dim> p, const CopyRotation &turn)
@@ -31,6 +32,7 @@ namespace Signorini
 
 
 
+  // Manifolds are removed, since they would be those of the first copy.
   template <int dim>
   void
   merge_copies(const Triangulation<dim>        &first,
@@ -56,7 +58,8 @@ namespace Signorini
   std::vector<CopyRotation>
   turns_of_ball_part(const std::string &part)
   {
-    // Three quarters, and then upside down, take x, y, z >= 0 to x, y >= 0 and z <= 0.
+    // Three quarter rotations followed by half a rotation about x map the octant x, y, z >= 0 to x,
+    // y >= 0, z <= 0.
     std::vector<CopyRotation> turns{{3, true}};
     if (part != "lower quarter")
       for (unsigned int quarters = 0; quarters < 3; ++quarters)

@@ -15,7 +15,8 @@ namespace Signorini
 
   namespace
   {
-    /// cos and sin, exact at the right angles, so that cuts lie where they should.
+    /// @return cosine and sine of the angle of vertex j, exact at multiples of right angles, so
+    /// that cuts are plane.
     std::array<double, 2>
     direction(const CirclePart &sector, const unsigned int j, const unsigned int n)
     {
@@ -29,13 +30,14 @@ namespace Signorini
 
 
 
-    /// Numbering of cells and vertices: through the thickness, then around, then along the height.
+    /// A structured grid, numbered through the thickness, then around, then along the height.
     template <int dim>
     struct Grid
     {
       unsigned int through, around, layers; ///< cells; in 2D, one layer
       bool         closed;
 
+      /// @return the number of a vertex; in a closed ring the last one around is the first.
       unsigned int
       vertex(const unsigned int i, const unsigned int j, const unsigned int k) const
       {
@@ -43,6 +45,7 @@ namespace Signorini
         return (k * n_around + j % n_around) * (through + 1) + i;
       }
 
+      /// @return the positions of all vertices, in the order of their numbers.
       template <typename PointAt>
       std::vector<Point<dim>>
       vertices(const PointAt &point_at) const
@@ -55,6 +58,7 @@ namespace Signorini
         return result;
       }
 
+      /// @return all cells.
       std::vector<CellData<dim>>
       cells() const
       {
@@ -118,7 +122,7 @@ namespace Signorini
   NamedSurface<dim>
   RingMesh<dim>::round_surface(const std::string &name, const double radius) const
   {
-    // Distances are those from the axis.
+    // A cylinder is a circle in the coordinates x, y.
     const auto flat   = [](const Point<dim> &p) { return Point<2>(p[0], p[1]); };
     const auto circle = sphere(name, flat(center), radius);
     return {name, [=](const Point<dim> &p) { return circle.contains(flat(p)); }, nullptr};

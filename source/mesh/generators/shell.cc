@@ -17,8 +17,9 @@ namespace Signorini
 
   namespace
   {
-    /// The octant of a shell: the three faces of the cube [0,n]^3 away from the origin, in squares,
-    /// thrown on the spheres such that squares along an edge of the cube become equal arcs.
+    /// The octant of a shell: squares on the three faces of the cube [0,n]^3 that do not contain
+    /// the origin, projected radially onto the spheres such that squares along an edge of the cube
+    /// become equal arcs.
     class OctantOfShell
     {
     public:
@@ -33,6 +34,7 @@ namespace Signorini
                 add_cell(face, i, j, layer);
       }
 
+      /// Create the triangulation.
       void
       create(Triangulation<3> &triangulation) const
       {
@@ -40,6 +42,7 @@ namespace Signorini
       }
 
     private:
+      /// Append the cell over square (i, j) of a face, in a layer.
       void
       add_cell(const unsigned int face,
                const unsigned int i,
@@ -57,6 +60,8 @@ namespace Signorini
           }
       }
 
+      /// @return the number of a vertex, which is created at the first call, so that faces of the
+      /// cube share it.
       unsigned int
       vertex(const std::array<unsigned int, 3> &place, const unsigned int layer)
       {

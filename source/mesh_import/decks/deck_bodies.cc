@@ -6,7 +6,8 @@
 
 #include <algorithm>
 
-// The pieces of the deck's mesh as bodies, with their boundaries, materials and temperatures.
+// Bodies from the connected pieces of the deck's mesh, with their boundaries, materials and
+// temperatures.
 
 namespace Signorini
 {
@@ -14,6 +15,7 @@ namespace Signorini
   {
     using Nodes = MeshFile::Nodes;
 
+    /// @return whether an element has nodes between its corners.
     bool
     is_second_order(const MeshFile::Element &element)
     {
@@ -34,6 +36,8 @@ namespace Signorini
 
 
 
+  // Each connected piece becomes a body of its own, because bodies of a scene share no nodes.
+  // Pieces without material are skipped.
   void
   SceneWriter::make_bodies()
   {
@@ -76,8 +80,8 @@ namespace Signorini
 
 
 
-  /// The names that have a face of the piece, as the mesh file's faces get them: by an element, or
-  /// by all of their corners.
+  /// @return the names of the groups that are a boundary of a piece, by the same rule as FaceNames:
+  /// groups with one of its boundary faces, and node sets with all corners of one.
   std::set<std::string>
   SceneWriter::boundaries_of(const Piece &piece) const
   {
@@ -113,7 +117,9 @@ namespace Signorini
 
 
 
-  /// That of most elements, and others of sets of cells. False if it has none: then it is left out.
+  /// Determine the materials of a body: that of most elements is the material of the body, others
+  /// become materials of sets of cells.
+  /// @return false if no element has a material, so that the body is skipped
   bool
   SceneWriter::write_material(Body &body, const Piece &piece)
   {
@@ -172,7 +178,9 @@ namespace Signorini
 
 
 
-  /// All sections, in their order, but those before the first one of another material.
+  /// List the materials of sets of cells, in the order of the sections, of which later ones have
+  /// priority. Sections of the body's own material before the first one of another material are
+  /// superfluous.
   void
   SceneWriter::write_other_materials(Body &body)
   {
@@ -190,8 +198,9 @@ namespace Signorini
 
 
 
-  /// CalculiX 2.20 begins the amplitude of temperatures anew in each later step, at all nodes but
-  /// one; that of loads it does not, and Abaqus neither.
+  /// Report amplitudes of temperatures that continue over several steps. CalculiX 2.20 restarts
+  /// them in each later step at all nodes but one; it does not restart those of loads, and Abaqus
+  /// restarts neither.
   void
   SceneWriter::skip_continuing_amplitudes(const DeckModel::Curve &curve)
   {
@@ -210,7 +219,8 @@ namespace Signorini
 
 
 
-  /// A body has one temperature, from its initial one on.
+  /// Determine the temperature history of a body that expands. The program has one temperature for
+  /// each body: if nodes differ, thermal strain is omitted and reported.
   void
   SceneWriter::write_temperature(Body &body)
   {

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-// What acts on the bodies: supports, loads, temperatures.
+// The part of the reader for supports, loads and temperatures.
 
 namespace Signorini
 {
-  /// Is the model, or a step that is computed.
+  /// @return whether the present keyword is part of the model or of a step that is computed;
+  /// otherwise it is reported.
   bool
   DeckReader::counts()
   {
@@ -22,6 +23,8 @@ namespace Signorini
 
 
 
+  // Parameters other than the known ones are reported, and references to amplitudes that do not
+  // exist.
   void
   DeckReader::check_parameters(const std::set<std::string> &known)
   {
@@ -35,6 +38,7 @@ namespace Signorini
 
 
 
+  // The value of the present step, with the amplitude and type of the present keyword.
   DeckModel::Change
   DeckReader::change_to(const double value) const
   {
@@ -47,7 +51,7 @@ namespace Signorini
 
 
 
-  /// The last line of a step counts.
+  /// Set the value of the present step; the last of several lines is valid.
   void
   DeckReader::replace(Curve &curve, const double value) const
   {
@@ -58,7 +62,8 @@ namespace Signorini
 
 
 
-  /// What one step says adds up, and replaces what earlier ones have said.
+  /// Add to the value of the present step: several lines of one step add up, and replace those of
+  /// earlier steps. Throws SceneError if their amplitudes differ.
   void
   DeckReader::add(Curve &curve, const double value) const
   {
@@ -75,8 +80,8 @@ namespace Signorini
 
 
 
-  /// OP=NEW ends what earlier steps have begun; that of the first card of its kind in a step
-  /// counts.
+  /// @return whether the present keyword is the first of its kind in this step and has OP=NEW,
+  /// which removes all loads (supports) of earlier steps.
   bool
   DeckReader::removes_old(const std::string &kind)
   {
@@ -85,6 +90,7 @@ namespace Signorini
 
 
 
+  // A value from an earlier step ends at the beginning of the present one.
   void
   DeckReader::remove_old(Curve &curve) const
   {
@@ -94,7 +100,8 @@ namespace Signorini
 
 
 
-  /// Of a displacement or force, counted from 1; what no unsigned int can be is none either.
+  /// @return a component of displacement or force, counted from 1; out of range if the number is no
+  /// component.
   unsigned int
   DeckReader::component(const Words &words, const unsigned int i) const
   {
@@ -103,7 +110,8 @@ namespace Signorini
 
 
 
-  /// Each once.
+  /// @return the nodes of a number or set, each once, in ascending order. Throws SceneError if
+  /// there are none of that name.
   std::vector<unsigned int>
   DeckReader::nodes_of(const std::string &target)
   {
@@ -120,7 +128,8 @@ namespace Signorini
 
 
 
-  /// As often as the deck names them; all without a target.
+  /// @return the elements of a number or set, as often as the deck names them; all elements without
+  /// a target.
   DeckReader::Members
   DeckReader::elements_of(const std::string &target)
   {
@@ -136,7 +145,8 @@ namespace Signorini
 
 
 
-  /// Sets may have members twice. CalculiX loads them twice then, Abaqus once.
+  /// Report members that a set contains twice. CalculiX applies loads to them twice, Abaqus and
+  /// this program once.
   void
   DeckReader::skip_repetitions(const std::string &target, Members members)
   {
@@ -149,7 +159,8 @@ namespace Signorini
 
 
 
-  /// The entry of a node or set; null if it has axes of its own.
+  /// @return the entry of a node or set in a list, which is created if there is none; null, with a
+  /// report, if its nodes have local axes (*TRANSFORM). The pointer is valid until the next call.
   DeckModel::AtNodes *
   DeckReader::at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target)
   {
@@ -177,6 +188,7 @@ namespace Signorini
 
 
 
+  // Prescribe displacement components (0, 1, 2) of the nodes of a target.
   void
   DeckReader::hold(const std::string               &target,
                    const std::vector<unsigned int> &components,
@@ -193,7 +205,8 @@ namespace Signorini
 
 
 
-  /// False for what is neither a displacement nor a velocity that stays the same.
+  /// @return whether the values of *BOUNDARY are displacements or constant velocities; others are
+  /// reported.
   bool
   DeckReader::accepts_type()
   {
@@ -207,6 +220,7 @@ namespace Signorini
 
 
 
+  // Data lines: node or set, first component, last component, value; or node or set, type.
   void
   DeckReader::read_boundary()
   {
@@ -251,6 +265,7 @@ namespace Signorini
 
 
 
+  // The named types of *BOUNDARY: which components are zero.
   void
   DeckReader::add_symmetry(const std::string &target, const std::string &kind)
   {
@@ -271,6 +286,7 @@ namespace Signorini
 
 
 
+  // Data lines: node or set, component, force.
   void
   DeckReader::read_forces()
   {
@@ -296,6 +312,9 @@ namespace Signorini
 
 
 
+  // Data lines: element or set, label, value. Pressures P1 to P6 act on faces; the surfaces of the
+  // different values have the names that the mesh reader gives them. Other labels are loads per
+  // volume.
   void
   DeckReader::read_element_loads()
   {
@@ -335,7 +354,8 @@ namespace Signorini
 
 
 
-  /// *DLOAD and *DSLOAD alike. CalculiX leaves forces per volume as they are.
+  /// OP=NEW removes the loads of *DLOAD and *DSLOAD alike, but not forces per volume, as in
+  /// CalculiX.
   void
   DeckReader::remove_distributed()
   {
@@ -353,6 +373,7 @@ namespace Signorini
 
 
 
+  // A pressure on all faces of a surface.
   void
   DeckReader::add_pressure(const std::string &surface, const double value)
   {
@@ -366,6 +387,7 @@ namespace Signorini
 
 
 
+  // GRAV: acceleration and direction; BX, BY, BZ: force per volume along an axis.
   void
   DeckReader::add_body_load(const Words &words)
   {
@@ -389,7 +411,8 @@ namespace Signorini
 
 
 
-  /// Replaces gravity of an earlier step of the same name and direction, and no other.
+  /// Add gravity. It replaces gravity of an earlier step with the same target and direction, and no
+  /// other.
   void
   DeckReader::add_gravity(const Words &words)
   {
@@ -408,6 +431,7 @@ namespace Signorini
 
 
 
+  // Data lines: surface, P, pressure.
   void
   DeckReader::read_surface_loads()
   {
@@ -425,6 +449,7 @@ namespace Signorini
 
 
 
+  // Local axes are not supported: loads and supports of these nodes are skipped where they occur.
   void
   DeckReader::read_transform()
   {
@@ -452,6 +477,7 @@ namespace Signorini
 
 
 
+  // Data lines: node or set, temperature.
   void
   DeckReader::read_temperatures()
   {

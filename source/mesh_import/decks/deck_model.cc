@@ -9,7 +9,8 @@ namespace Signorini
 {
   namespace
   {
-    /// What a keyword stands for, or a longer text that begins with it.
+    /// @return the kind of what was skipped (see SkippedItem), by the longest keyword with which
+    /// the text begins; "keyword" if there is none.
     std::string
     kind_of(const std::string &what)
     {
@@ -88,6 +89,7 @@ namespace Signorini
 
 
 
+  // The same item at several positions of the file is one entry.
   void
   DeckModel::skip_item(const std::string &what, const std::string &place, const std::string &kind)
   {
@@ -104,7 +106,8 @@ namespace Signorini
 
   namespace
   {
-    /// Points must not have the same time: a jump takes a small part of the step.
+    /// Append a point to a polygon. Times must increase: a jump takes a small part of the period, a
+    /// point that repeats the last one is dropped.
     void
     add(DeckModel::Points &points, double t, const double value, const double period)
     {
@@ -119,6 +122,8 @@ namespace Signorini
 
 
 
+    /// @return the polygon at time t, constant before its first and behind its last point; 1 if it
+    /// has no points.
     double
     value_at(const DeckModel::Points &points, const double t)
     {
@@ -144,7 +149,8 @@ namespace Signorini
     using Model = DeckModel;
     using Kind  = Model::Change::Kind;
 
-    /// Step 0 is reached in step 1, if that says nothing else.
+    /// @return a curve whose value of step 0 (the model before all steps) is reached in step 1,
+    /// unless step 1 has one of its own.
     Model::Curve
     from_first_step(Model::Curve curve)
     {
@@ -157,7 +163,8 @@ namespace Signorini
 
 
 
-    /// One step of a value that an amplitude scales. Returns its end.
+    /// Append one step of a value that an amplitude scales.
+    /// @return the value at the end of the step
     double
     add_amplitude(Model::Points          &result,
                   const Model::Amplitude &amplitude,
@@ -177,6 +184,9 @@ namespace Signorini
 
 
 
+  // Step by step: `last` is the valid change, `value` the value at the end of the step. Without
+  // amplitude the value is ramped, or constant from the beginning of the step (AMPLITUDE=STEP);
+  // with one it follows its points. Spans of time in which the value is prescribed are joined.
   DeckModel::History
   DeckModel::history(const Curve &given, const bool is_initial) const
   {

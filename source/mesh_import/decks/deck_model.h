@@ -13,47 +13,61 @@
 
 namespace Signorini
 {
-  /// What a deck says beyond its mesh, as far as the program can compute it.
+  /// The model that an input file of Abaqus or CalculiX describes beyond its mesh, as far as the
+  /// program can compute it. Units are those of the file.
   struct DeckModel
   {
-    using Points = std::vector<std::pair<double, double>>; ///< time and value
+    /// Polygon of pairs of time and value.
+    using Points = std::vector<std::pair<double, double>>;
 
+    /// An elastic material.
     struct Material
     {
       std::string           name;
       std::optional<double> youngs_modulus, poissons_ratio, density, expansion;
-      std::string           law;               ///< of large deformation; empty: it is linear
-      std::vector<double>   coefficients = {}; ///< of the law, as Material has them
+      /// Constitutive law at finite strain, as the scene names it; empty: linear elasticity.
+      std::string law;
+      /// Coefficients of the law, in the order of Material.
+      std::vector<double> coefficients = {};
     };
 
+    /// The elements that have a material.
     struct SolidSection
     {
       std::string               material;
       std::vector<unsigned int> elements;
-      std::vector<std::string>  sets;          ///< with these elements, as the mesh file calls them
-      double                    thickness = 0; ///< of plane elements; 0: not given
+      /// Sets that have these elements, by their names in the mesh file.
+      std::vector<std::string> sets;
+      /// Thickness [length] of plane elements; 0: not given.
+      double thickness = 0;
     };
 
+    /// A load step that is computed.
     struct Step
     {
       double begin, end;
-      bool   is_constant = false; ///< AMPLITUDE=STEP: what has no amplitude acts from the beginning
+      /// AMPLITUDE=STEP: values without amplitude act in full from the beginning.
+      bool is_constant = false;
     };
 
+    /// A factor over time.
     struct Amplitude
     {
       Points points;
-      bool   is_total = false; ///< counts the time of all steps, not that of the present one
+      /// Times are those of the whole analysis, not of the present step.
+      bool is_total = false;
     };
 
-    /// What a step says of a value. Step 0 is the model before all steps.
+    /// The change of a value in a step. Step 0 is the model before all steps.
     struct Change
     {
       enum class Kind
       {
         value,
-        velocity, ///< the value grows by it in all steps from here on
-        removed   ///< by OP=NEW, from the beginning of the step
+        /// The value grows with this rate in all steps from here on.
+        velocity,
+        /// OP=NEW removes the value at the beginning of the step.
+        removed
       };
 
       unsigned int step;
@@ -70,11 +84,12 @@ namespace Signorini
     };
     using Curve = std::vector<Change>;
 
-    /// Straight lines between points, over the time of all steps.
+    /// The history of a value over the time of all steps, linear between points.
     struct History
     {
-      Points                                 points;
-      std::vector<std::pair<double, double>> spans; ///< when it is prescribed, (begin, end]
+      Points points;
+      /// Intervals (begin, end] of time in which the value is prescribed.
+      std::vector<std::pair<double, double>> spans;
 
       bool
       operator==(const History &other) const
@@ -83,31 +98,36 @@ namespace Signorini
       }
     };
 
-    /// What a line of supports or forces is for. What holds at a node is in the maps by nodes,
-    /// whatever set has named it.
+    /// A node or set with supports or forces. Their values are in the maps by node, whatever set
+    /// has named the node.
     struct AtNodes
     {
-      std::string               name;  ///< as the mesh file calls the node or set
-      std::vector<unsigned int> nodes; ///< each once
+      /// Name of the node or set in the mesh file.
+      std::string name;
+      /// Indices of the nodes, each once.
+      std::vector<unsigned int> nodes;
       std::array<bool, 3>       components{{false, false, false}};
     };
 
-    /// By node and component.
+    /// Curves by index of node (or element) and component (0, 1, 2).
     using NodeCurves = std::map<std::pair<unsigned int, unsigned int>, Curve>;
 
     /// The corners of a face, sorted.
     using Face = MeshFile::Nodes;
 
-    /// Forces per volume, or accelerations, on elements. Those of one card and of later ones that
-    /// have the same target and direction are one load.
+    /// Gravity on elements. Lines of one card and of later ones with the same target and direction
+    /// are one load.
     struct BodyLoad
     {
-      std::string               name; ///< as the deck calls the elements
+      /// Name of the elements in the deck.
+      std::string               name;
       std::vector<unsigned int> elements;
-      std::array<double, 3>     direction; ///< unit
-      Curve                     size;
+      /// Unit vector.
+      std::array<double, 3> direction;
+      Curve                 size;
     };
 
+    /// Elements with forces per volume along an axis; the values are in `body_forces`.
     struct BodyForces
     {
       std::string               name;
@@ -115,13 +135,16 @@ namespace Signorini
       unsigned int              component;
     };
 
-    /// Of nodes, with the amplitude; of a step.
+    /// The temperatures of nodes in a step, each with the name of its amplitude.
     struct Temperatures
     {
       std::map<unsigned int, std::pair<double, std::string>> of_nodes;
-      bool is_new = false; ///< OP=NEW: others go back to where they began
+      /// OP=NEW: all other nodes return to their initial temperatures.
+      bool is_new = false;
     };
 
+    /// The contact law of a *SURFACE INTERACTION: hard, linear (pressure proportional to the
+    /// overlap), or without separation ("tied", in normal direction).
     struct Interaction
     {
       enum class Kind
@@ -131,73 +154,93 @@ namespace Signorini
         tied
       };
 
-      Kind   kind      = Kind::hard;
-      double stiffness = 0; ///< of a linear one
+      Kind kind = Kind::hard;
+      /// Pressure per overlap of a linear law.
+      double stiffness = 0;
     };
 
+    /// A contact pair, by the names of its surfaces and of its interaction.
     struct Pair
     {
       std::string slave, master, interaction;
     };
 
-    /// A gap at the start that is not that of the mesh.
+    /// An initial gap [length] that is prescribed instead of that of the mesh.
     struct Clearance
     {
       std::string slave, master;
       double      value;
     };
 
-    /// Something that the scene will not have.
+    /// Something in the deck that the scene does not contain.
     struct Omission
     {
-      std::string              kind; ///< see SkippedItem
-      std::string              what;
-      std::vector<std::string> places; ///< in the file
+      std::string kind; ///< see SkippedItem
+      std::string what;
+      /// Positions in the file.
+      std::vector<std::string> places;
     };
 
-    AbaqusDeck                       deck;
-    std::string                      title;
-    std::map<std::string, Material>  materials; ///< by names in upper case
-    std::vector<SolidSection>        sections;
-    std::map<std::string, Amplitude> amplitudes; ///< by names in upper case
-    std::vector<Step>                steps;      ///< that are computed
-    std::vector<AtNodes>     supported, loaded;  ///< nodes and sets, in the order of the deck
-    NodeCurves               supports, forces;
-    std::vector<std::string> pressed; ///< surfaces, in the order of the deck
+    AbaqusDeck  deck;
+    std::string title;
+    /// Materials by names in upper case.
+    std::map<std::string, Material> materials;
+    std::vector<SolidSection>       sections;
+    /// Amplitudes by names in upper case.
+    std::map<std::string, Amplitude> amplitudes;
+    /// The steps that are computed, in sequence.
+    std::vector<Step> steps;
+    /// Nodes and sets with supports and with forces, in the order of the deck.
+    std::vector<AtNodes> supported, loaded;
+    NodeCurves           supports, forces;
+    /// Surfaces with pressures, in the order of the deck.
+    std::vector<std::string> pressed;
     std::map<Face, Curve>    pressures;
     std::vector<BodyLoad>    gravity;
-    std::vector<BodyForces>  forced;      ///< elements and sets, in the order of the deck
-    NodeCurves               body_forces; ///< by element and component
-    Temperatures             initial_temperatures;
-    std::map<unsigned int, Temperatures> temperatures; ///< by step
-    std::map<std::string, Interaction>   interactions; ///< by names in upper case
-    std::vector<Pair>                    pairs;
-    std::vector<Clearance>               clearances;
-    std::string                          nlgeom; ///< where it is first asked for; empty: nowhere
+    /// Elements and sets with forces per volume, in the order of the deck.
+    std::vector<BodyForces> forced;
+    /// Forces per volume by element and component.
+    NodeCurves   body_forces;
+    Temperatures initial_temperatures;
+    /// Temperatures by step.
+    std::map<unsigned int, Temperatures> temperatures;
+    /// Interactions by names in upper case.
+    std::map<std::string, Interaction> interactions;
+    std::vector<Pair>                  pairs;
+    std::vector<Clearance>             clearances;
+    /// Position in the file where geometric nonlinearity is first requested; empty: nowhere.
+    std::string nlgeom;
 
-    /// Something was left out that may have held a body.
+    /// Whether something was skipped that may have constrained a body.
     bool lacks_supports = false;
 
     std::vector<Omission> skipped_items;
 
-    /// @param what may begin with *KEYWORD, which says the kind
-    /// @param kind empty: that of the keyword
+    /// Record something that the scene will not contain.
+    /// @param what a text, which may begin with *KEYWORD
+    /// @param place position in the file; empty: none
+    /// @param kind see SkippedItem; empty: the kind of the keyword
     void
     skip_item(const std::string &what, const std::string &place, const std::string &kind = "");
 
-    /// The value over the time of all steps, as CalculiX follows it: without amplitude, a step goes
-    /// from the last value to the new one along a line; what an amplitude has come to stays in
-    /// later steps, if it does not count the time of all. What is given in step 0 is there at the
-    /// start, with `is_initial`, or reached in step 1.
+    /// @return the value over the time of all steps, by the rules of CalculiX: without amplitude, a
+    /// step ramps it from the last value to the new one; the final value of an amplitude is kept in
+    /// later steps, unless the amplitude refers to total time.
+    /// @param curve the changes of the value
+    /// @param is_initial whether a value of step 0 is present at the start; otherwise it is reached
+    /// in step 1
     History
     history(const Curve &curve, bool is_initial = false) const;
 
-    /// The faces of a surface, sorted; none of a set of nodes.
+    /// @return the faces of a surface, each as sorted corners; none for a set of nodes.
+    /// @param surface its name in any case
     std::set<Face>
     faces_of(const std::string &surface) const;
   };
 
   /// Read a deck with its model. Throws SceneError with file and line.
+  /// @param file_name path of the file
+  /// @return mesh and model
   DeckModel
   read_deck_model(const std::string &file_name);
 } // namespace Signorini

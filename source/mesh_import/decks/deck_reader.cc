@@ -9,7 +9,8 @@
 
 namespace Signorini
 {
-  // The registry: one line a keyword. Output and what describes the mesh has no effect here.
+  // One line for each keyword that is understood. Keywords for output, and those of the mesh, which
+  // read_abaqus_deck() has processed before, have no effect here.
   const std::map<std::string, void (DeckReader::*)(), IgnoringBlanks> DeckReader::registry = {
     {"PART", &DeckReader::begin_part},
     {"END PART", &DeckReader::end_part},
@@ -86,7 +87,8 @@ namespace Signorini
     {"SPECIFIC HEAT", &DeckReader::ignore},
     {"PHYSICAL CONSTANTS", &DeckReader::ignore}};
 
-  /// Why some keywords are left out. All others that are not in the registry are left out too.
+  /// Reasons, for the report, why some keywords are skipped. All others that are not in the
+  /// registry are skipped too.
   const std::map<std::string, std::string, IgnoringBlanks> DeckReader::not_modelled = {
     {"FRICTION", "contact is without friction"},
     {"CHANGE FRICTION", "contact is without friction"},
@@ -109,11 +111,11 @@ namespace Signorini
     {"DAMPING", "inertia"},
     {"CONTACT DAMPING", "inertia"}};
 
-  /// No data lines belong to these, and to those below the ones that they have read.
+  /// Keywords without data lines, or with a known number of them: further lines are reported.
   const std::set<std::string, IgnoringBlanks> DeckReader::of_known_length = {
     "CLEARANCE", "END PART", "END STEP", "MATERIAL", "PART", "SOLID SECTION"};
 
-  /// What of these may have held bodies that nothing else holds.
+  /// Keywords that may have constrained bodies that nothing else constrains.
   const std::set<std::string, IgnoringBlanks> DeckReader::restraints = {"FRICTION",
                                                                         "CHANGE FRICTION",
                                                                         "EQUATION",
@@ -144,6 +146,7 @@ namespace Signorini
 
 
 
+  // The file is read twice: for the mesh by the constructor, and for the model here.
   DeckModel
   DeckReader::read()
   {
@@ -192,6 +195,7 @@ namespace Signorini
 
 
 
+  // Ties become contact without separation, which constrains the normal direction only.
   void
   DeckReader::skip_tie()
   {
@@ -235,7 +239,8 @@ namespace Signorini
 
 
 
-  /// Of anisotropic ones, the isotropic part of the first constants.
+  /// Data line: Young's modulus, Poisson's ratio. Anisotropic materials are replaced by the
+  /// isotropic one that has their first constants.
   void
   DeckReader::read_elastic()
   {
@@ -272,11 +277,11 @@ namespace Signorini
 
   namespace
   {
-    /// K/mu with D = 0, as CalculiX takes it.
+    /// The ratio of bulk and shear modulus for D = 0, as in CalculiX.
     constexpr double nearly_incompressible = 20;
 
-    /// The words between commas that are parameters of *HYPERELASTIC by themselves, with the number
-    /// of coefficients that come before the first D.
+    /// A strain energy of *HYPERELASTIC: its parameter, the law of the program, the number of its
+    /// coefficients, which precede the D, and the number of the D.
     struct StrainEnergy
     {
       std::string  name, law;
@@ -286,10 +291,10 @@ namespace Signorini
 
 
 
-  // CalculiX and Abaqus: W = sum of C_ij (I1* - 3)^i (I2* - 3)^j, or of 2 mu_i/alpha_i^2
-  // (l1*^alpha_i
-  // + ... - 3), and (J - 1)^2/D1, by the stretches l* without the change of volume (CalculiX 2.20,
-  // 6.8.3). So K = 2/D1 and mu = 2 (C10 + C01), or the sum of the mu_i.
+  // CalculiX and Abaqus have W = sum of C_ij (I1* - 3)^i (I2* - 3)^j, or of 2 mu_i/alpha_i^2
+  // (l1*^alpha_i + l2*^alpha_i + l3*^alpha_i - 3), and (J - 1)^2/D1, with the stretches l* without
+  // the change of volume (CalculiX 2.20, 6.8.3). Therefore K = 2/D1 and mu = 2 (C10 + C01), or the
+  // sum of the mu_i; compare doc/theory, (6.8).
   void
   DeckReader::read_hyperelastic()
   {
@@ -385,6 +390,7 @@ namespace Signorini
 
 
 
+  // *SOLID SECTION in a part holds for all instances of the part.
   void
   DeckReader::read_section()
   {
@@ -412,6 +418,7 @@ namespace Signorini
 
 
 
+  // Data lines: pairs of time and factor, any number on a line.
   void
   DeckReader::read_amplitude()
   {
@@ -438,6 +445,8 @@ namespace Signorini
 
 
 
+  // Each step lasts from the end of the previous one, by default for one unit of time. Perturbation
+  // steps are skipped.
   void
   DeckReader::begin_step()
   {
@@ -462,6 +471,7 @@ namespace Signorini
 
 
 
+  // Data line: initial increment, duration of the step.
   void
   DeckReader::read_static()
   {
@@ -475,6 +485,7 @@ namespace Signorini
 
 
 
+  // Other analyses are computed as static ones, which is reported.
   void
   DeckReader::read_quasi_static()
   {
@@ -484,6 +495,7 @@ namespace Signorini
 
 
 
+  // Eigenvalue analyses and the like are skipped as a whole.
   void
   DeckReader::skip_step()
   {
@@ -512,6 +524,7 @@ namespace Signorini
 
 
 
+  // PRESSURE-OVERCLOSURE: HARD, LINEAR with a stiffness, or TIED.
   void
   DeckReader::read_behaviour()
   {
@@ -547,6 +560,8 @@ namespace Signorini
 
 
 
+  // Data lines: slave, master. Pairs with TIED get an interaction of their own, with a name that no
+  // file can contain.
   void
   DeckReader::read_pairs()
   {

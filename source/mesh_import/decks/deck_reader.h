@@ -7,13 +7,18 @@
 
 namespace Signorini
 {
-  /// Reads the keywords that make the model, after those of the mesh: a small function each, in the
-  /// registry of deck_reader.cc; those of supports and loads stand in deck_loads.cc.
+  /// Reads the keywords that define the model, after those of the mesh, each by a function of its
+  /// own. The registry in deck_reader.cc maps keywords to functions; those of supports and loads
+  /// are in deck_loads.cc.
   class DeckReader
   {
   public:
+    /// Read the mesh. Throws SceneError with file and line.
+    /// @param file_name path of the file
     explicit DeckReader(const std::string &file_name);
 
+    /// Read the model. May be called once.
+    /// @return mesh and model, which are moved out of the reader
     DeckModel
     read();
 
@@ -118,11 +123,12 @@ namespace Signorini
     hold(const std::string &target, const std::vector<unsigned int> &components, double value);
     bool
     counts();
-    /// Other parameters of the present keyword are left out.
+    /// Report parameters of the present keyword that are not among the known ones.
     void
     check_parameters(const std::set<std::string> &known);
     bool
     accepts_type();
+    /// @return the number of the present step from 1; 0 for the model before all steps.
     unsigned int
     present_step() const
     {
@@ -143,16 +149,19 @@ namespace Signorini
     static const std::map<std::string, std::string, IgnoringBlanks>            not_modelled;
     static const std::set<std::string, IgnoringBlanks> of_known_length, restraints;
 
-    KeywordFile            in;
-    DeckModel              model;
-    std::string            material, part, interaction;
-    bool                   in_step = false, step_counts = false;
-    bool                   is_again        = false; ///< the material stands above too
-    unsigned int           n_element_loads = 0;
-    std::set<unsigned int> transformed; ///< nodes with axes of their own
-    /// Where the entry of a node or set is in a list of the model.
+    KeywordFile in;
+    DeckModel   model;
+    std::string material, part, interaction;
+    bool        in_step = false, step_counts = false;
+    /// Whether the present material has been defined before.
+    bool         is_again        = false;
+    unsigned int n_element_loads = 0;
+    /// Nodes with local axes.
+    std::set<unsigned int> transformed;
+    /// Index of the entry of a node or set in a list of the model, by list and name.
     std::map<std::pair<const void *, std::string>, std::size_t> places;
     std::set<std::string>
-      reported_kinds; ///< kinds of loads and supports of which this step has cards
+      /// Kinds of loads and supports for which the present step has had a keyword.
+      reported_kinds;
   };
 } // namespace Signorini

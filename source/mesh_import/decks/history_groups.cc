@@ -8,6 +8,7 @@
 
 namespace Signorini
 {
+  // Curves are looked up first, because a history is expensive to compute and to compare.
   unsigned int
   Histories::number(const DeckModel::Curve &curve)
   {
@@ -27,7 +28,7 @@ namespace Signorini
   {
     using Members = std::vector<unsigned int>;
 
-    /// The members of one target with each history of one component.
+    /// @return the members of one target by the number of their history in one component.
     std::map<unsigned int, Members>
     by_history(const DeckModel::NodeCurves &curves,
                const Members               &members,
@@ -43,6 +44,8 @@ namespace Signorini
 
 
 
+  // Target by target and component by component: members that no earlier target had are grouped by
+  // their histories. Groups with the same members in several components are joined.
   std::vector<MemberGroup>
   groups_by_history(const DeckModel::NodeCurves     &curves,
                     const std::vector<MemberTarget> &targets,

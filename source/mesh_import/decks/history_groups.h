@@ -5,19 +5,23 @@
 
 namespace Signorini
 {
-  /// The different histories of a model, by numbers.
+  /// The different histories of a model, numbered from 0.
   class Histories
   {
   public:
-    /// Refers to the model.
+    /// @param model to which the object refers
     explicit Histories(const DeckModel &model)
       : model(model)
     {}
 
-    /// The number of a curve's history: the same for all curves that have the same one.
+    /// @return the number of the history of a curve, which is the same for all curves with equal
+    /// histories.
+    /// @param curve the changes of a value
     unsigned int
     number(const DeckModel::Curve &curve);
 
+    /// @return a history; valid until the next call of number().
+    /// @param number of the history
     const DeckModel::History &
     operator[](const unsigned int number) const
     {
@@ -30,39 +34,48 @@ namespace Signorini
     std::map<DeckModel::Curve, unsigned int> of_curves;
   };
 
-  /// Nodes or elements with the same histories, component by component.
+  /// Nodes or elements with equal histories in each component.
   struct MemberGroup
   {
     static constexpr unsigned int free = -1;
 
-    std::vector<unsigned int>   members;
-    std::array<unsigned int, 3> histories{{free, free, free}}; ///< numbers; free: nothing is said
-    unsigned int                target;    ///< of the deck that its members belong to
-    bool                        is_target; ///< it has all members of that
+    std::vector<unsigned int> members;
+    /// Number of the history of each component; `free`: not prescribed.
+    std::array<unsigned int, 3> histories{{free, free, free}};
+    /// Index of the target of the deck to which the members belong.
+    unsigned int target;
+    /// Whether the group has all members of the target.
+    bool is_target;
   };
 
-  /// A line of the deck that names members.
+  /// A node or element set of the deck with supports or loads, and the components that they have.
   struct MemberTarget
   {
     std::vector<unsigned int> members;
     std::array<bool, 3>       components;
   };
 
-  /// All members of all targets, with each component once: groups of the targets themselves where
-  /// all of their members have the same history, and of those that are left.
-  /// @param may_overlap the same history may be said twice of a member, so that targets that are
-  /// groups keep all of their members
+  /// Group the members of all targets such that each member occurs once for each component: targets
+  /// whose members all have equal histories are one group, others are divided.
+  /// @param curves by member and component
+  /// @param targets in the order of the deck
+  /// @param may_overlap whether the same history may be prescribed for a member twice (supports,
+  /// not forces), so that targets keep all of their members
+  /// @param histories the numbers of histories, to which new ones are added
+  /// @return the groups
   std::vector<MemberGroup>
   groups_by_history(const DeckModel::NodeCurves     &curves,
                     const std::vector<MemberTarget> &targets,
                     bool                             may_overlap,
                     Histories                       &histories);
 
-  /// Names that are there already get a number. Decks may name each node of thousands: nothing is
-  /// tried twice.
+  /// Creates unique names: a name that exists already gets a number. The next number of each name
+  /// is kept, since decks may name thousands of nodes one by one.
   class SetNames
   {
   public:
+    /// @return the name itself, or with a number that makes it unique.
+    /// @param name any name
     std::string
     make_unique_name(const std::string &name);
 
@@ -71,15 +84,17 @@ namespace Signorini
     std::map<std::string, unsigned int> next;
   };
 
-  /// One subsection of a section of named items.
+  /// A subsection of a scene in a section of named items.
   struct SceneItem
   {
     std::string                                      name;
     std::vector<std::pair<std::string, std::string>> keys;
-    std::string                                      within = {}; ///< subsections, line by line
+    /// Inner subsections as text.
+    std::string within = {};
   };
 
-  /// "1, 4-7"
+  /// @return numbers as a text with ranges, "1, 4-7".
+  /// @param numbers in any order
   std::string
   as_ranges(std::vector<std::size_t> numbers);
 } // namespace Signorini

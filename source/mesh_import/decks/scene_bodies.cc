@@ -5,12 +5,13 @@
 
 #include <algorithm>
 
-// Bodies, and the pairs between them.
+// The sections of bodies and contact pairs.
 
 namespace Signorini
 {
-  /// Linear ones of large deformation as CalculiX has them, by the strain of Green, or in decks of
-  /// parts, which are of Abaqus, by logarithmic strain.
+  /// @return the keys of a material. Linear elastic materials at finite strain are Saint
+  /// Venant-Kirchhoff's in decks of CalculiX, and Hencky's (logarithmic strain) in decks with
+  /// parts, which are of Abaqus.
   std::vector<std::pair<std::string, std::string>>
   SceneWriter::material_keys(const DeckModel::Material &material) const
   {
@@ -50,7 +51,8 @@ namespace Signorini
           item.keys.push_back(key);
         if (body.is_quadratic)
           item.keys.emplace_back("Degree", "2");
-        // Nodes that were moved onto facets would not lie on surfaces that are rounded.
+        // Nodes that were moved onto the facets of a master would not be on its surface if that
+        // were reconstructed as a curved one.
         if (std::any_of(body.boundaries.begin(),
                         body.boundaries.end(),
                         [&](const std::string &name) {
@@ -131,7 +133,8 @@ namespace Signorini
 
 
 
-  /// One method for all pairs: that of linear ones if there are no others.
+  /// @return the section of the contact method: a penalty method if all contact is linear,
+  /// otherwise none. One method holds for all pairs.
   std::string
   SceneWriter::method()
   {

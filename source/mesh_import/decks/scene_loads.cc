@@ -6,12 +6,13 @@
 
 #include <algorithm>
 
-// Supports and loads.
+// The sections of supports and loads.
 
 namespace Signorini
 {
   namespace
   {
+    /// @return nodes and components of the entries of a list.
     std::vector<MemberTarget>
     targets_of(const std::vector<DeckModel::AtNodes> &list)
     {
@@ -23,7 +24,7 @@ namespace Signorini
 
 
 
-    /// Nodes of their own with the same value are one item.
+    /// Append an item; single nodes with equal values are joined in one item.
     void
     add_at_nodes(std::vector<SceneItem> &items,
                  SetNames               &names,
@@ -52,6 +53,8 @@ namespace Signorini
 
 
 
+  // Nodes are grouped by the histories of their components, and each group is written once for each
+  // interval of time in which it is prescribed.
   std::string
   SceneWriter::supports()
   {
@@ -61,7 +64,7 @@ namespace Signorini
          groups_by_history(model.supports, targets_of(model.supported), true, histories))
       {
         const DeckModel::AtNodes &at = model.supported[group.target];
-        // A component after the other, as long as it holds.
+        // Components may be prescribed for different intervals.
         std::map<std::pair<double, double>, MemberGroup> by_span;
         for (unsigned int d = 0; d < dim; ++d)
           if (group.histories[d] != MemberGroup::free)
@@ -138,7 +141,8 @@ namespace Signorini
 
 
 
-  /// Faces that two elements share are no boundary.
+  /// Remove pressures on faces that two elements share, which are inside of bodies, and report
+  /// them.
   void
   SceneWriter::skip_internal_pressures()
   {
@@ -166,6 +170,8 @@ namespace Signorini
 
 
 
+  // The faces of each surface are grouped by their histories. Faces that an earlier surface has
+  // loaded are not loaded again: their curves contain the sum already.
   std::vector<SceneItem>
   SceneWriter::pressures()
   {
@@ -223,7 +229,7 @@ namespace Signorini
 
 
 
-  /// Of the elements; 0 where the material has none.
+  /// @return the density of each element; 0 where its material has none.
   std::vector<double>
   SceneWriter::densities() const
   {
@@ -238,6 +244,7 @@ namespace Signorini
 
 
 
+  // Acceleration times density, for each density of the loaded elements.
   std::vector<SceneItem>
   SceneWriter::gravity()
   {

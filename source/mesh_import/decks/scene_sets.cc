@@ -6,10 +6,11 @@
 
 #include <algorithm>
 
-// Histories as formulas, and the sets and names that loads and supports are on.
+// Histories as formulas, and the sets that loads and supports refer to.
 
 namespace Signorini
 {
+  // A constant, a multiple of t, or a table of points.
   std::string
   SceneWriter::formula(const DeckModel::Points &points, const double factor) const
   {
@@ -45,6 +46,7 @@ namespace Signorini
 
 
 
+  // Whoever uses a history gets load steps that end at its kinks.
   const DeckModel::History &
   SceneWriter::history(const unsigned int id)
   {
@@ -54,7 +56,7 @@ namespace Signorini
 
 
 
-  /// In one of the components that there are.
+  /// @return whether a group has a history in one of the components of this dimension.
   bool
   SceneWriter::has_content(const MemberGroup &group)
   {
@@ -70,7 +72,8 @@ namespace Signorini
 
 
 
-  /// What happens within a step is seen if load steps end there.
+  /// Let load steps end at the kinks of a history, where loads may be largest. Kinks closer to each
+  /// other than 1e-6 of a step are one.
   void
   SceneWriter::end_steps_at_kinks(const DeckModel::History &history)
   {
@@ -87,7 +90,8 @@ namespace Signorini
 
 
 
-  /// Nodes that nothing is on may be held by nothing, but not moved or loaded.
+  /// @return the kind of omission of nodes that are on no solid: harmless ("model") if they are
+  /// only fixed, otherwise a missing motion or load.
   std::string
   SceneWriter::kind_at_no_solid(const MemberGroup &group, const std::string &what)
   {
@@ -101,7 +105,8 @@ namespace Signorini
 
 
 
-  /// "BODY.SET, ..." of all bodies with nodes of the group; empty if there are none.
+  /// @return "BODY.SET, ..." of all bodies with nodes of the group; empty if there are none. Where
+  /// the deck has no set of just these nodes, sets are added to the bodies.
   std::string
   SceneWriter::nodes_of(const MemberGroup &group,
                         const std::string &target,
@@ -147,7 +152,8 @@ namespace Signorini
 
 
 
-  /// "BODY.SURFACE, ..."
+  /// @return "BODY.SURFACE, ..." of all bodies that have faces of a surface; empty, with a report,
+  /// if there are none.
   std::string
   SceneWriter::surfaces(const std::string &surface, const std::string &what)
   {
@@ -173,7 +179,8 @@ namespace Signorini
 
 
 
-  /// Of plane bodies, whose forces are per thickness.
+  /// @return the thickness [length] of the plane body at these nodes, by which forces are divided;
+  /// 1 in other dimensions.
   double
   SceneWriter::thickness_at(const std::vector<unsigned int> &nodes) const
   {
@@ -195,7 +202,8 @@ namespace Signorini
 
 
 
-  /// "BODY.SET, ..." of a boundary that the scene makes.
+  /// @return "BODY.SET, ..." of a new set of faces, which is added to the bodies by numbers of
+  /// elements and labels.
   std::string
   SceneWriter::faces_of(const std::vector<DeckModel::Face> &faces, const std::string &name)
   {
@@ -228,7 +236,8 @@ namespace Signorini
 
 
 
-  /// "BODY" or "BODY.SET, ..." of elements on solids.
+  /// @return "BODY" or "BODY.SET, ..." of some elements; a set of cells is added to bodies that
+  /// contain more elements.
   std::string
   SceneWriter::cells_of(const std::vector<unsigned int> &elements, const std::string &name)
   {

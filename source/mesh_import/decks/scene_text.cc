@@ -29,6 +29,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the keys of an item as lines with aligned equal signs.
     std::string
     keys_of(const SceneItem &item, const std::string &indent)
     {
@@ -44,6 +45,7 @@ namespace Signorini
 
 
 
+    /// @return lines with an indentation.
     std::string
     indented(const std::string &lines, const std::string &by)
     {

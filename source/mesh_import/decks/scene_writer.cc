@@ -16,7 +16,8 @@ namespace Signorini
 {
   namespace
   {
-    /// By the types of the plane elements. Throws SceneError where they differ.
+    /// @return the 2D model that belongs to the types of the plane elements. Throws SceneError
+    /// where they differ.
     std::string
     model_of_types(const DeckModel &model, const std::string &file)
     {
@@ -71,7 +72,8 @@ namespace Signorini
 
 
 
-  /// Supports and loads of plane elements are along x and y.
+  /// Throws SceneError if a plane element is not parallel to the xy plane, along which supports and
+  /// loads act.
   void
   SceneWriter::check_plane() const
   {
@@ -88,7 +90,7 @@ namespace Signorini
 
 
 
-  /// Those of sections that are no solids here.
+  /// Report elements with a *SOLID SECTION that are not solids of the present dimension.
   void
   SceneWriter::skip_other_elements()
   {
@@ -109,7 +111,8 @@ namespace Signorini
 
 
 
-  /// If the deck asks for it, and the program has it.
+  /// @return whether the scene uses finite strain: if the deck requests it or has a hyperelastic
+  /// material, and nothing in it requires small strain.
   bool
   SceneWriter::switches_to_finite_strain()
   {
@@ -133,6 +136,7 @@ namespace Signorini
 
 
 
+  // Load steps end at the ends of the steps of the deck, and at kinks of histories.
   std::string
   SceneWriter::steps() const
   {
@@ -161,7 +165,7 @@ namespace Signorini
 
 
 
-  // Without what the scene file has a meaning for.
+  // Characters that have a meaning in a scene file are replaced.
   std::vector<std::string>
   SceneWriter::skipped_items() const
   {
@@ -183,8 +187,9 @@ namespace Signorini
 
 
 
-  /// A support that begins in a later step takes its nodes from where they are to its value in that
-  /// step; a formula knows only its value.
+  /// Report supports that begin in a later step whose path is not linear: the program moves their
+  /// nodes from their present positions to the prescribed value, the formula contains the value
+  /// only.
   void
   SceneWriter::skip_paths_of_late_supports()
   {
@@ -201,7 +206,8 @@ namespace Signorini
 
 
 
-  /// A load step for each of very many would take long.
+  /// Remove the kinks of a step that has more than 100 of them, and report it: a load step for each
+  /// would take too long.
   void
   SceneWriter::limit_steps_at_kinks()
   {
@@ -226,7 +232,8 @@ namespace Signorini
   void
   SceneWriter::write(std::ostream &scene)
   {
-    // First all sections, which leave things out.
+    // All sections are written before the header, since they add to the list of omissions, and
+    // loads and supports add sets to the bodies.
     const std::string what_acts = supports() + loads(); // and makes sets of the bodies
     limit_steps_at_kinks();
     skip_paths_of_late_supports();

@@ -9,44 +9,54 @@
 
 namespace Signorini
 {
-  /// Writes the scene of a deck's model, section by section: bodies and pairs in scene_bodies.cc,
-  /// supports and loads in scene_loads.cc, sets in scene_sets.cc. Bodies are found in
-  /// deck_bodies.cc.
+  /// Writes the scene of a deck's model section by section: bodies are found in deck_bodies.cc, and
+  /// written with contact pairs in scene_bodies.cc; supports and loads are in scene_loads.cc, sets
+  /// in scene_sets.cc.
   class SceneWriter
   {
   public:
+    /// Find the bodies. Throws SceneError if no elastic solid is left.
+    /// @param model of the deck
+    /// @param file its path, to which the scene refers
     SceneWriter(DeckModel model, const std::string &file);
 
-    /// Throws SceneError if no elastic solid is left.
+    /// Write the scene. May be called once.
+    /// @param scene the stream
     void
     write(std::ostream &scene);
 
-    /// What was left out, one line each.
+    /// @return what was omitted, one line for each item.
     std::vector<std::string>
     skipped_items() const;
 
   private:
+    /// The material of a set of cells.
     struct MaterialOfCells
     {
       std::string material, cells;
     };
 
+    /// A connected piece of the mesh.
     struct Body
     {
-      std::string                  name, part, material;
-      std::vector<MaterialOfCells> others; ///< of sets of its cells, later ones before earlier ones
+      std::string name, part, material;
+      /// Materials of sets of its cells, of which later ones have priority.
+      std::vector<MaterialOfCells> others;
       std::vector<bool>            has_node, has_element;
-      std::set<std::string>        boundaries; ///< names of surfaces and sets with faces of it
-      double                       thickness           = 1;
-      bool                         is_quadratic        = false;
-      double                       initial_temperature = 0;
-      DeckModel::Curve             temperature; ///< empty without thermal strain
+      /// Names of the surfaces and sets that have faces of it.
+      std::set<std::string> boundaries;
+      double                thickness           = 1;
+      bool                  is_quadratic        = false;
+      double                initial_temperature = 0;
+      /// Its temperature; empty without thermal strain.
+      DeckModel::Curve temperature;
 
-      /// Sets that the scene makes beside those of the deck, as the keys of the body have them.
+      /// Sets that the scene defines in addition to those of the deck, as values of keys of the
+      /// body.
       std::vector<std::string> node_sets, face_sets, cell_sets;
     };
 
-    /// Without what the scene file has a meaning for.
+    /// @return a name without characters that have a meaning in scene files.
     static std::string
     as_name(std::string name);
 
@@ -130,14 +140,19 @@ namespace Signorini
     DeckModel         model;
     const std::string file;
     unsigned int      dim = 3;
-    std::string       kind; ///< of 2D: plane strain, ...
+    /// The two-dimensional model: "plane strain", "plane stress" or "axisymmetric".
+    std::string       kind;
     unsigned int      n_pieces         = 0;
     bool              is_finite_strain = false;
     std::vector<Body> all;
 
-    Histories                                   histories;     ///< of the model
-    SetNames                                    set_names;     ///< of the deck and of the scene
-    std::set<double>                            kinks;         ///< within steps, of what acts
-    std::vector<std::pair<std::string, double>> late_supports; ///< and when they begin
+    /// The histories of the model.
+    Histories histories;
+    /// Names of the sets of the deck and of the scene.
+    SetNames set_names;
+    /// Times within steps at which loads and supports have kinks.
+    std::set<double> kinks;
+    /// Supports that begin in a later step, with their times.
+    std::vector<std::pair<std::string, double>> late_supports;
   };
 } // namespace Signorini

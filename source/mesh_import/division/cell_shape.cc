@@ -17,13 +17,19 @@ namespace Signorini
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
 
-    /// Corners as one digit for each simplex: the number of its corner.
+    /// The tables of a shape. A corner is written with one digit for each simplex: the number of
+    /// the corner of the simplex.
     struct Facts
     {
-      Nodes              simplices;
-      std::vector<Nodes> corners, edges, faces, centers; ///< centers of nodes behind the edges
+      /// The number of corners of each simplex of the product.
+      Nodes simplices;
+      /// Corners, edges and faces; `centers` are the corners around each node of second order
+      /// behind those of the edges, in the order of MeshFile::Element.
+      std::vector<Nodes> corners, edges, faces, centers;
     };
 
+    /// @return the tables of a shape, in the numbering of MeshFile::Element. Throws for points and
+    /// lines.
     Facts
     facts(const Shape shape)
     {
@@ -95,6 +101,7 @@ namespace Signorini
 
 
 
+    /// @return a list of corners as a set of bits.
     CellShape::Corners
     set_of(const Nodes &corners)
     {
@@ -153,6 +160,7 @@ namespace Signorini
 
 
 
+  // Bits of the set in ascending order of the corners.
   Nodes
   CellShape::corners_around(const unsigned int i, const MeshFile::Element &cell) const
   {
@@ -168,7 +176,8 @@ namespace Signorini
   double
   CellShape::orientation(const Nodes &which) const
   {
-    // The L of a simplex but the first are Cartesian coordinates.
+    // The barycentric coordinates of each simplex but the first one are Cartesian coordinates of
+    // the reference cell.
     std::vector<Tensor<1, 3>> points(which.size());
     for (unsigned int i = 0; i < which.size(); ++i)
       for (unsigned int s = 0, l = 0, d = 0; s < simplices.size(); ++s)
@@ -181,6 +190,9 @@ namespace Signorini
 
 
 
+  // The child at a corner is spanned by the three edges there (2D: two), in an order of positive
+  // orientation. Its corners, in the order of MeshFile: the corner, the middles of two edges and
+  // the centre of the face between them around the bottom; above these those of the third edge.
   void
   CellShape::add_children()
   {
@@ -209,6 +221,7 @@ namespace Signorini
 
 
 
+  // The mean of the points whose bits are set.
   CellShape::Coordinates
   CellShape::center_of(const std::vector<Coordinates> &points, const Corners which) const
   {
@@ -228,6 +241,9 @@ namespace Signorini
 
 
 
+  // The product over all simplices of L_i (a node at a corner of the simplex) or 4 L_i L_j (a node
+  // in the middle of its edge): a function that is 1 at its own node, in the sense of a
+  // hierarchical basis.
   double
   CellShape::function(const Corners node, const Coordinates &point) const
   {
@@ -253,8 +269,8 @@ namespace Signorini
   CellShape::Weights
   CellShape::weights(const unsigned int n_nodes, const Coordinates &point) const
   {
-    // Each function vanishes at the nodes before its own: from the last one back, what is left is
-    // the weight.
+    // The functions are hierarchical: each vanishes at the nodes before its own. From the last node
+    // backwards, the weight is its function minus what the weights of later nodes contribute to it.
     Weights result(n_nodes);
     for (unsigned int i = n_nodes; i-- > 0;)
       {
@@ -267,6 +283,8 @@ namespace Signorini
 
 
 
+  // The weights are computed once for each number of nodes and kept; the number says which nodes of
+  // second order the cell has (for example 20 or 27 of a hexahedron).
   const CellShape::SecondOrder &
   CellShape::second_order(const unsigned int n_nodes) const
   {

@@ -24,7 +24,9 @@ namespace Signorini
     /// they span, and for the node at its center.
     using Corners = unsigned int;
 
-    /// Of cells in 2D and 3D; pyramids have no children and no weights.
+    /// @return the shape, which is created at the first call and kept (not thread-safe). Pyramids
+    /// have no children and no weights.
+    /// @param shape of a cell in 2D or 3D
     static const CellShape &
     of(MeshFile::Shape shape);
 
@@ -37,7 +39,7 @@ namespace Signorini
     /// What the corners of the child at each corner are the centers of, in the order of MeshFile.
     std::vector<std::vector<Corners>> children;
 
-    /// All corners.
+    /// @return the set of all corners, which is the cell itself.
     Corners
     all() const
     {
@@ -46,17 +48,24 @@ namespace Signorini
 
     unsigned int n_corners;
 
-    /// What node number i of such a cell is the center of.
+    /// @return the corners, as indices into MeshFile::nodes, between which a node of a cell lies.
+    /// @param i position of the node in the list of the cell
+    /// @param cell an element of this shape
     MeshFile::Nodes
     corners_around(unsigned int i, const MeshFile::Element &cell) const;
 
-    /// Volume that three edges from corner a span in the reference cell (2D: an area by two).
+    /// @return the volume that the three edges from the first of four corners span in the reference
+    /// cell (2D: with three corners, twice the area of their triangle); negative if they are
+    /// left-handed.
+    /// @param corners numbers of corners of the cell
     double
     orientation(const MeshFile::Nodes &corners) const;
 
-    /// Weights of a cell's nodes in the value at a point.
+    /// The weights of the nodes of a cell in the interpolated position at a point, one for each
+    /// node.
     using Weights = std::vector<double>;
 
+    /// Weights of cells with a certain number of nodes.
     struct SecondOrder
     {
       /// For each child and each of its 27 (2D: 9) nodes.
@@ -68,7 +77,9 @@ namespace Signorini
       Weights center;
     };
 
-    /// Of cells with so many nodes.
+    /// @return the weights of cells of this shape with a given number of nodes; computed at the
+    /// first call and kept.
+    /// @param n_nodes at least the number of corners
     const SecondOrder &
     second_order(unsigned int n_nodes) const;
 
@@ -91,7 +102,9 @@ namespace Signorini
     mutable std::map<unsigned int, SecondOrder> by_n_nodes;
   };
 
-  /// The nodes of a cell at `positions` of its list, such as those of one of its faces.
+  /// @return the nodes of a cell, such as those of one of its faces.
+  /// @param element the cell
+  /// @param positions in its list of nodes
   MeshFile::Nodes
   nodes_at(const MeshFile::Element &element, const MeshFile::Nodes &positions);
 } // namespace Signorini

@@ -14,6 +14,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Sorted, so that neighbours with different orientation find the same entry, and padded with
+  // `none`.
   Centers::Key
   Centers::key(const MeshFile::Nodes &corners)
   {
@@ -25,6 +27,7 @@ namespace Signorini
 
 
 
+  // The array has eight entries, the number of corners of a hexahedron; the rest repeats the first.
   void
   Centers::store(const unsigned int node, const MeshFile::Nodes &corners)
   {
@@ -86,7 +89,9 @@ namespace Signorini
   Point<3>
   Centers::center(const MeshFile::Nodes &around)
   {
-    // Of the triangle of six nodes and of the quadrilateral of eight.
+    // The serendipity functions at the centre: -1/9 for corners and 4/9 for the middles of edges of
+    // the triangle with six nodes, -1/4 and 1/2 for those of the quadrilateral with eight. If the
+    // edges are straight, that is the mean of the corners.
     const double of_corner = around.size() == 3 ? -1. / 9 : -0.25,
                  of_middle = around.size() == 3 ? 4. / 9 : 0.5;
     Point<3> sum;
@@ -118,6 +123,8 @@ namespace Signorini
 
 
 
+  // If the face is curved (of second order in the file) the middle of the diagonal is the centre of
+  // the face, so that the triangles follow its shape; otherwise it is the mean of both corners.
   unsigned int
   Centers::of_diagonal(const MeshFile::Nodes &around, const unsigned int a, const unsigned int b)
   {
@@ -147,6 +154,8 @@ namespace Signorini
   Centers::complete_node_sets()
   {
     std::vector<bool> contains;
+    // The nodes are in the order in which they were made. A node is added to a set if all corners
+    // around it are in the set; these are nodes of the file.
     for (MeshFile::Group &group : file.groups)
       {
         if (group.nodes.empty())

@@ -8,52 +8,64 @@
 
 namespace Signorini
 {
-  /// The nodes in the middle of edges and at the centers of faces, found by the corners, so that
-  /// neighbours share them. Those of second order are in the file, others are made. Where a node
-  /// lies depends on the nodes of its edge or face alone.
+  /// The nodes in the middle of edges and at the centres of faces, found by the corners around, so
+  /// that neighbours share them. Those of second-order elements are in the file, others are created
+  /// and appended to it. The position of such a node depends on the nodes of its edge or face
+  /// alone, so that all cells there agree.
   class Centers
   {
   public:
     static constexpr unsigned int none = -1;
 
+    /// @param file the mesh to which nodes are appended; the object refers to it
     explicit Centers(MeshFile &file)
       : file(file)
       , n_in_file(file.nodes.size())
     {}
 
-    /// Take the nodes of second order of a cell. Throws SceneError if another cell has another node
-    /// there.
+    /// Register the nodes of second order of a cell. Throws SceneError if another cell has another
+    /// node at the same edge or face, that is, if the cells are not connected there.
+    /// @param cell with nodes behind its corners, or without
     void
     take(const MeshFile::Element &cell);
 
-    /// In the middle between two corners of an edge.
+    /// @return the node in the middle of an edge, created if there is none.
+    /// @param a,b the corners of the edge
     unsigned int
     of_edge(unsigned int a, unsigned int b);
 
-    /// At the center of a face of three or four corners, around.
+    /// @return the node at the centre of a face, created if there is none.
+    /// @param around the three or four corners of the face, in cyclic order
     unsigned int
     of_face(const MeshFile::Nodes &around);
 
-    /// In the middle of a diagonal of a quadrilateral: its center, if it is curved.
+    /// @return the node in the middle of a diagonal of a quadrilateral, which is the centre of the
+    /// face if the face is curved.
+    /// @param around the four corners of the face, in cyclic order
+    /// @param a,b the corners that the diagonal connects
     unsigned int
     of_diagonal(const MeshFile::Nodes &around, unsigned int a, unsigned int b);
 
-    /// A node of a cell with these corners, as one that is not shared.
+    /// @return a new node inside a cell, which is not shared with others.
+    /// @param corners of the cell
+    /// @param place its position
     unsigned int
     of_cell(const MeshFile::Nodes &corners, const dealii::Point<3> &place);
 
-    /// Put the nodes into all sets of nodes that contain the corners which they lie between.
+    /// Add the created nodes to all node sets of the file that contain all corners around them.
     void
     complete_node_sets();
 
-    /// Give them the mean of the values at these corners, in all scalars of the file that have none
-    /// for them.
+    /// Give the created nodes values in all scalar fields of the file that have none there: the
+    /// mean of those at the corners around.
     void
     complete_fields();
 
-    /// Up to four corners, sorted.
+    /// The corners of an edge, triangle or quadrilateral, sorted; unused entries are `none`.
     using Key = std::array<unsigned int, 4>;
 
+    /// @return the key of up to four corners in any order.
+    /// @param corners indices of nodes
     static Key
     key(const MeshFile::Nodes &corners);
 

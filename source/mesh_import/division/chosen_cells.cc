@@ -12,8 +12,11 @@ namespace Signorini
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
 
-    /// The cells that are connected, by what `links` lists of each shape, with one of those that
-    /// are wanted.
+    /// Mark connected sets of cells that contain at least one of a wanted shape.
+    /// @param links a function that lists, for a shape, the positions of edges or faces by which
+    /// cells are connected
+    /// @param wanted a function of a shape
+    /// @return one entry for each element of the file
     template <typename Links, typename Wanted>
     std::vector<bool>
     connected(const MeshFile                  &file,
@@ -41,6 +44,7 @@ namespace Signorini
 
 
 
+    /// @return the quadrilateral faces of a shape.
     std::vector<Nodes>
     quadrilaterals(const CellShape &shape)
     {
@@ -71,6 +75,10 @@ namespace Signorini
 
 
 
+  // Cells that are not quadrilaterals or hexahedra have to be divided, and with them all cells
+  // connected to them by edges, because the edges get nodes in the middle. Pyramids become
+  // tetrahedra first, and with them all cells connected to them by quadrilaterals, which get a
+  // diagonal.
   ChosenCells::ChosenCells(const MeshFile &file, const unsigned int dim, const std::string &part)
     : all(file.elements.size())
     , as_tetrahedra(file.elements.size())

@@ -5,18 +5,29 @@
 
 namespace Signorini
 {
-  /// The elements of that dimension, of one group or of all if `part` is empty.
+  /// @return indices of the elements of dimension `dim` in a group, in ascending order.
+  /// @param file the mesh
+  /// @param dim 2 or 3
+  /// @param part name of the group; empty: all elements
   std::vector<unsigned int>
   cells_of_part(const MeshFile &file, unsigned int dim, const std::string &part);
 
-  /// Which elements of a mesh file are to be divided.
+  /// The elements of a mesh file that have to be divided so that only quadrilaterals or hexahedra
+  /// are left.
   struct ChosenCells
   {
-    std::vector<bool> all;           ///< by element
-    std::vector<bool> as_tetrahedra; ///< those that become tetrahedra first
-    bool              any = false;
+    /// For each element of the file whether it is divided.
+    std::vector<bool> all;
+    /// For each element of the file whether it is divided into tetrahedra first.
+    std::vector<bool> as_tetrahedra;
+    /// Whether any element is not a quadrilateral or hexahedron, i.e. whether anything has to be
+    /// done.
+    bool any = false;
 
-    /// @param part the group whose cells are looked at; empty: all cells
+    /// Choose the elements.
+    /// @param file the mesh
+    /// @param dim 2 or 3
+    /// @param part the group whose cells are considered; empty: all cells
     ChosenCells(const MeshFile &file, unsigned int dim, const std::string &part);
   };
 } // namespace Signorini

@@ -22,6 +22,7 @@ namespace Signorini
 
 
 
+    /// @return whether an element lists a node more than once among its corners.
     bool
     has_repeated_corners(const MeshFile::Element &element)
     {
@@ -35,7 +36,10 @@ namespace Signorini
 
 
 
-    /// A cell with corners that are there several times.
+    /// A hexahedron (2D: quadrilateral) with repeated corners. Its faces without repetitions, and
+    /// without those that have collapsed to an edge or a point or are the same as another, say
+    /// which shape it has: three quadrilaterals and two triangles are a wedge, one and four a
+    /// pyramid, four triangles a tetrahedron.
     class Collapsed
     {
     public:
@@ -56,7 +60,8 @@ namespace Signorini
           }
       }
 
-      /// The element as it is, or the same element if that is no shape.
+      /// @return the element with the shape that it really has; unchanged if that is none of the
+      /// known ones.
       MeshFile::Element
       recognised() const
       {
@@ -73,7 +78,7 @@ namespace Signorini
       }
 
     private:
-      /// In the order of the new shape; none if it is not known.
+      /// @return the corners in the order of the new shape; empty if the shape is not a known one.
       Nodes
       corners() const
       {
@@ -88,6 +93,7 @@ namespace Signorini
         return {};
       }
 
+      /// @return the distinct corners, in their order around the cell.
       Nodes
       around_plane() const
       {
@@ -98,6 +104,7 @@ namespace Signorini
         return result;
       }
 
+      /// @return the corners of a base and the first corner that is not in it, which is the apex.
       Nodes
       with_apex(Nodes base) const
       {
@@ -110,8 +117,8 @@ namespace Signorini
         return base;
       }
 
-      /// Above each corner of a triangle is its neighbour in the squares that is not in the
-      /// triangle.
+      /// @return the corners of a wedge. Above each corner of one triangle is its neighbour in the
+      /// quadrilaterals that is not in the triangle.
       Nodes
       wedge() const
       {
@@ -130,7 +137,9 @@ namespace Signorini
         return result;
       }
 
-      /// Those of second order that lie on its edges; false if some are missing.
+      /// Append the nodes of second order in the middle of the edges of the new shape, which are
+      /// those of the collapsed element.
+      /// @return false if some are missing
       bool
       add_middles(MeshFile::Element &result) const
       {

@@ -5,10 +5,11 @@
 
 namespace Signorini
 {
-  /// Some programs write a wedge, a pyramid or a tetrahedron as a hexahedron whose corners are
-  /// there several times, and a triangle as a quadrilateral. Give such elements the shape that they
-  /// have. What is none of these stays as it is.
-  /// @param elements indices of those that are looked at
+  /// Recognise degenerate elements: some programs write a wedge, a pyramid or a tetrahedron as a
+  /// hexahedron with repeated corners, and a triangle as a quadrilateral. Such elements get the
+  /// shape that they really have. Elements that are none of these are not changed.
+  /// @param file the mesh whose elements are replaced
+  /// @param elements indices of the elements to consider
   void
   recognise_collapsed_cells(MeshFile &file, const std::vector<unsigned int> &elements);
 } // namespace Signorini

@@ -22,6 +22,8 @@ namespace Signorini
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
 
+    /// Midpoint subdivision of the chosen elements of a file, see divide_cells(). Cost: linear in
+    /// the number of elements, by hash tables of edges and faces.
     class HexSubdivision
     {
     public:
@@ -33,9 +35,14 @@ namespace Signorini
         , report(file, dim)
       {}
 
+      /// Divide all chosen elements.
+      /// @return what the user is told: the summary, and the worst shapes
       std::vector<std::string>
       divide(const bool mid_side_nodes)
       {
+        // The nodes of second order are registered first, so that neighbours without them use the
+        // same ones. Pyramids and cells connected with them are replaced by tetrahedra. Only then
+        // the boundary is known, as the faces that occur once, and the cells are divided.
         check_conforming();
         for (unsigned int e = 0; e < file.elements.size(); ++e)
           if (chosen.all[e])
@@ -55,8 +62,8 @@ namespace Signorini
       }
 
     private:
-      /// No cell is there twice, and no quadrilateral lies on two triangles: their cells would come
-      /// apart.
+      /// Throws SceneError if a cell occurs twice, or if a quadrilateral face at the boundary lies
+      /// on two triangles of other cells: neighbours would not be connected after the division.
       void
       check_conforming()
       {
@@ -95,7 +102,7 @@ namespace Signorini
               }
       }
 
-      /// Nodes of second order to where the corners put them.
+      /// Move the nodes of second order of an element to the mean of the corners around them.
       void
       straighten(const MeshFile::Element &element)
       {
@@ -110,7 +117,9 @@ namespace Signorini
           }
       }
 
-      /// Make `cells` of the elements: what is divided further, and where it begins.
+      /// Fill `cells` with the cells that midpoint subdivision divides: the chosen elements
+      /// themselves, or the tetrahedra into which they are cut. `first_cell` has the index of the
+      /// first cell of each element.
       void
       cut_pyramids()
       {
@@ -119,6 +128,8 @@ namespace Signorini
             first_cell.push_back(cells.size());
             if (chosen.as_tetrahedra[e])
               {
+                /// Record of which quadrilateral of the file the two triangles of a cut face are
+                /// parts.
                 for (const Nodes &face : CellShape::of(file.elements[e].shape).faces)
                   if (face.size() == 4)
                     store_triangles(nodes_at(file.elements[e], face));
@@ -138,6 +149,7 @@ namespace Signorini
           whole[Centers::key(triangle)] = around;
       }
 
+      /// Count the cells at each face, to find those at the boundary.
       void
       count_faces()
       {
@@ -146,6 +158,7 @@ namespace Signorini
             ++n_cells[Centers::key(nodes_at(cell, face))];
       }
 
+      /// @return one line for the user: what was divided into how many cells.
       std::string
       division_summary() const
       {
@@ -185,6 +198,7 @@ namespace Signorini
         return text;
       }
 
+      /// @return a number with the plural of a shape's name where needed: "tetrahedra", "wedges".
       static std::string
       counted(const unsigned int n, const std::string &name)
       {
@@ -195,8 +209,8 @@ namespace Signorini
                          name + "s");
       }
 
-      /// Put the children in the place of their elements, also in the groups. Returns what is to be
-      /// said of their shapes.
+      /// Replace the elements by their children, also in the groups.
+      /// @return messages about the shapes of the children
       std::vector<std::string>
       divide_elements()
       {
@@ -224,6 +238,9 @@ namespace Signorini
         return notes;
       }
 
+      /// Append the children of one cell to the list of elements, one for each corner. Children of
+      /// curved cells get all nodes of second order (9 or 27), so that they have exactly the shape
+      /// of their part of the cell.
       void
       divide(const MeshFile::Element        &cell,
              const MeshFile::Element        &element,
@@ -240,6 +257,9 @@ namespace Signorini
                                     {}};
             for (const CellShape::Corners of : shape.children[corner])
               child.nodes.push_back(of == shape.all() ? center_of(cell, center) :
+                                                        /// @return the node at the centre of a set
+                                                        /// of corners: the corner itself, or that
+                                                        /// of an edge or face.
                                                         node_of(cell, of));
             report.add(element, child);
             if (curved)
@@ -268,7 +288,7 @@ namespace Signorini
         return Centers::none;
       }
 
-      /// The node at the center, made if there is none.
+      /// @return the node at the centre of a cell, created at the first call if the cell has none.
       unsigned int
       center_of(const MeshFile::Element &cell, unsigned int &center)
       {
@@ -281,6 +301,7 @@ namespace Signorini
         return center;
       }
 
+      /// @return the position that weights of the nodes of a cell give.
       Point<3>
       value(const MeshFile::Element &cell, const CellShape::Weights &weights) const
       {
@@ -290,6 +311,8 @@ namespace Signorini
         return sum;
       }
 
+      /// @return whether any node of second order is not where the nodes before it would put it, up
+      /// to 1e-9 of the size of the cell.
       bool
       is_curved(const MeshFile::Element &cell) const
       {
@@ -302,6 +325,8 @@ namespace Signorini
         return false;
       }
 
+      /// Append the nodes of second order of a child, which are created without being shared:
+      /// neighbours compute the same positions.
       void
       add_second_order(const MeshFile::Element &cell,
                        const unsigned int       corner,
@@ -316,7 +341,8 @@ namespace Signorini
           }
       }
 
-      /// Say of which faces the children's faces at the boundary are parts.
+      /// Record in MeshFile::whole_faces of which faces of the file the faces of children at the
+      /// boundary are parts.
       void
       name_faces(const MeshFile::Element &cell)
       {

@@ -16,6 +16,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the length of the shortest edge of the cells whose ends are different nodes.
     double
     shortest_edge(const MeshFile &file, const std::vector<unsigned int> &cells)
     {
@@ -33,7 +34,10 @@ namespace Signorini
 
 
 
-    /// For each node the one that shall stand for it: the first of those that coincide.
+    /// Find coinciding nodes with an R-tree, O(n log n) if few are near each other.
+    /// @param reach the largest distance [length] of nodes that coincide
+    /// @return for each node of the file the one that replaces it: the lowest index among those
+    /// that coincide, directly or through nodes of lower index; itself for all others
     std::vector<unsigned int>
     representatives_of(const MeshFile &file, const MeshFile::Nodes &nodes, const double reach)
     {
@@ -58,6 +62,7 @@ namespace Signorini
 
 
 
+  // Nodes are replaced wherever they are referred to; the unused ones stay in the list of nodes.
   void
   merge_coinciding_nodes(MeshFile          &file,
                          const unsigned int dim,

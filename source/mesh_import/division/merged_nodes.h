@@ -5,11 +5,13 @@
 
 namespace Signorini
 {
-  /// Make one node of those that coincide, in elements and groups. Cells that are to be divided
-  /// must be connected before: otherwise neighbours that meet at nodes of their own may be divided
+  /// Merge nodes that coincide, in elements, groups and numbers. Cells that are to be divided must
+  /// be connected before: otherwise neighbours that meet at nodes of their own may be divided
   /// differently.
-  /// @param part the group whose cells' nodes these are; empty: all cells of that dimension
-  /// @param distance up to which nodes coincide; 0: 1e-3 of the shortest edge
+  /// @param file the mesh, which is changed
+  /// @param dim 2 or 3
+  /// @param part the group whose cells' nodes are considered; empty: all cells of that dimension
+  /// @param distance [length] up to which nodes coincide; 0: 1e-3 of the shortest edge
   void
   merge_coinciding_nodes(MeshFile          &file,
                          unsigned int       dim,

@@ -23,7 +23,9 @@ namespace Signorini
 
 
 
-    /// Of the edges that meet at a corner of a cell of MeshFile.
+    /// @return the scaled Jacobian at a corner of a quadrilateral or hexahedron in the numbering of
+    /// MeshFile: the triple product of the unit vectors along its edges (2D: the z component of the
+    /// cross product). Negative if the corner is folded, or the cell is listed the other way round.
     double
     scaled_jacobian(const MeshFile          &file,
                     const MeshFile::Element &cell,
@@ -74,6 +76,9 @@ namespace Signorini
 
 
 
+  // Classify the element whose children have all been added: folded or flat, or how good it is. An
+  // element whose scaled Jacobians are all negative is mirrored and valid; orient() reverses it
+  // later.
   void
   ShapeReport::finish()
   {

@@ -5,22 +5,28 @@
 
 namespace Signorini
 {
-  /// How well shaped the cells are into which the elements of a file are divided. The scaled
+  /// Collects the quality of the cells into which the elements of a file are divided. The scaled
   /// Jacobian at a corner is the volume (2D: area) that the unit vectors along its edges span: 1 in
-  /// a cube, at least 0.71 in the parts of a regular tetrahedron, 0 where it is flat.
+  /// a cube, at least 0.71 in the parts of a regular tetrahedron, 0 where the cell is flat.
   class ShapeReport
   {
   public:
+    /// @param file the mesh, to whose nodes and elements the report refers
+    /// @param dim 2 or 3
     ShapeReport(const MeshFile &file, unsigned int dim)
       : file(file)
       , dim(dim)
     {}
 
-    /// The next child of an element; the children of one come one after the other.
+    /// Add the next child of an element. All children of one element must be added in sequence.
+    /// @param element of the file
+    /// @param child one of the cells into which it is divided
     void
     add(const MeshFile::Element &element, const MeshFile::Element &child);
 
-    /// What was bad. Throws SceneError if elements are folded or flat.
+    /// Throws SceneError with the number of elements that are folded or flat, and with the first of
+    /// them.
+    /// @return a message about the worst cells; none if no element was added
     std::vector<std::string>
     notes();
 
@@ -33,8 +39,10 @@ namespace Signorini
       dealii::Point<3> place;   ///< the corner
     };
 
+    /// Add the present element to the statistics.
     void
     finish();
+    /// @return number, type, quality and position of an element, for messages.
     std::string
     text_of(const WorstCell &one) const;
 

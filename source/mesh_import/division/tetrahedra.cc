@@ -13,7 +13,8 @@ namespace Signorini
   {
     using Nodes = MeshFile::Nodes;
 
-    /// The cell, with its corners as places 0, 1, ...
+    /// A cell that is divided into tetrahedra. Its corners are numbered locally ("places" 0, 1,
+    /// ...).
     class Cell
     {
     public:
@@ -24,6 +25,8 @@ namespace Signorini
         , centers(centers)
       {}
 
+      /// @return the tetrahedra: cones from the corner with the lowest node number over the
+      /// triangles of all faces that do not contain it.
       std::vector<MeshFile::Element>
       tetrahedra()
       {
@@ -37,13 +40,15 @@ namespace Signorini
       }
 
     private:
+      /// @return the position of the lowest node number.
       static unsigned int
       place_of_lowest(const Nodes &nodes)
       {
         return std::min_element(nodes.begin(), nodes.end()) - nodes.begin();
       }
 
-      /// The triangles of a face, in places.
+      /// @return the triangles of a face, as local corners. A quadrilateral is cut by the diagonal
+      /// from its lowest node number, on which both cells at the face agree.
       std::vector<Nodes>
       divided(const Nodes &face) const
       {
@@ -57,6 +62,8 @@ namespace Signorini
                 {face[i], face[(i + 2) % 4], face[(i + 3) % 4]}};
       }
 
+      /// @return the tetrahedron of four local corners, oriented positively; with ten nodes if the
+      /// cell is of second order.
       MeshFile::Element
       tetrahedron(Nodes places)
       {
@@ -71,6 +78,8 @@ namespace Signorini
         return result;
       }
 
+      /// @return the node in the middle of two local corners: that of an edge, of a diagonal of a
+      /// face, or the centre of the cell.
       unsigned int
       middle(const unsigned int a, const unsigned int b)
       {
@@ -89,7 +98,8 @@ namespace Signorini
         return center();
       }
 
-      /// Of a hexahedron; the tetrahedra around its inner diagonal share it.
+      /// @return the node at the centre of a hexahedron. All tetrahedra around its inner diagonal
+      /// share it.
       unsigned int
       center()
       {

@@ -11,7 +11,8 @@ namespace Signorini
 {
   using namespace dealii;
 
-  // The registry: one line a keyword. Those that are not here say nothing about the mesh.
+  // One line for each keyword that defines nodes, elements or sets, or that is rejected because it
+  // would. Keywords that are not in this table do not influence the mesh and are skipped.
   const std::map<std::string, void (AbaqusReader::*)(), IgnoringBlanks> AbaqusReader::registry = {
     {"NODE", &AbaqusReader::read_nodes},
     {"ELEMENT", &AbaqusReader::read_elements},
@@ -45,6 +46,9 @@ namespace Signorini
 
 
 
+  // The file is read once, from the first to the last line. Sets and surfaces may refer to what is
+  // defined below them: these references are stored and resolved at the end of their scope. Nodes
+  // are adjusted at the very end, when all surfaces are known.
   AbaqusDeck
   AbaqusReader::read()
   {
@@ -88,6 +92,8 @@ namespace Signorini
 
 
 
+  // Data lines: number, up to three coordinates; in Cartesian, cylindrical or spherical coordinates
+  // (SYSTEM=R, C, S), of the local system of *SYSTEM.
   void
   AbaqusReader::read_nodes()
   {
@@ -107,6 +113,7 @@ namespace Signorini
 
 
 
+  // Cylindrical: radius, angle, height. Spherical: radius, longitude, latitude. Angles in degrees.
   Point<3>
   AbaqusReader::cartesian(const Point<3> x, const std::string &coordinates) const
   {
@@ -124,6 +131,7 @@ namespace Signorini
 
 
 
+  // A node that is defined again gets the new position.
   void
   AbaqusReader::add_node(const std::size_t number, const Point<3> &place, AbaqusSet *set)
   {
@@ -138,6 +146,8 @@ namespace Signorini
 
 
 
+  // Data lines: number, nodes. The nodes of one element may continue on further lines. Where their
+  // number is unknown (springs and the like), a line that ends with a comma continues.
   void
   AbaqusReader::read_elements()
   {
@@ -171,6 +181,8 @@ namespace Signorini
 
 
 
+  // Elements of lines and points may lack nodes; they have no stiffness here, and only nodes that
+  // exist are kept.
   void
   AbaqusReader::add_element(const AbaqusType               &type,
                             const std::string              &type_name,
@@ -228,7 +240,9 @@ namespace Signorini
 
 
 
-  /// @param members those that are known already
+  /// Read the data lines of *NSET or *ELSET. Members that are not defined so far are stored until
+  /// the end of the scope.
+  /// @param members indices that the set gets in any case
   void
   AbaqusReader::read_members(AbaqusSets &sets, const std::string &name, Members members)
   {
@@ -241,6 +255,7 @@ namespace Signorini
 
 
 
+  // The nodes of all elements of a set, for *NSET, ELSET=.
   AbaqusReader::Members
   AbaqusReader::nodes_of(const std::string &element_set) const
   {
@@ -254,7 +269,8 @@ namespace Signorini
 
 
 
-  /// Other kinds than the two are not made of the mesh: analytical rigid surfaces.
+  /// Only surfaces of element faces and of nodes are made of the mesh; analytical rigid surfaces
+  /// are skipped. The data lines are stored until the end of the scope.
   void
   AbaqusReader::read_surface()
   {
@@ -273,6 +289,7 @@ namespace Signorini
 
 
 
+  // Resolve all stored references of this scope.
   void
   AbaqusReader::complete_scope()
   {
@@ -284,7 +301,10 @@ namespace Signorini
 
 
 
-  /// Sets may be members of each other in any order.
+  /// Sets may contain each other in any order. A word is resolved once the set that it names has no
+  /// open words itself; passes are repeated until none resolves anything, which ends because each
+  /// pass with success removes at least one word. Words that are left (unknown names, or circular
+  /// sets) are reported.
   void
   AbaqusReader::complete_sets()
   {
@@ -329,6 +349,8 @@ namespace Signorini
 
 
 
+  // A surface is a union of others, a list of nodes and node sets, or a list of element sets with
+  // face labels.
   MeshFile::Group
   AbaqusReader::completed(const LateSurface &late)
   {
@@ -353,6 +375,7 @@ namespace Signorini
 
 
 
+  // The surfaces above are complete already, since they are completed in the order of the file.
   void
   AbaqusReader::add_surface(const std::string &name,
                             const std::string &place,
@@ -374,7 +397,9 @@ namespace Signorini
 
 
 
-  /// No elements: all of the scope. @param place in the file, for messages
+  /// Add the faces with a label of an element or set; if `of` is empty, those of all elements of
+  /// the scope. Elements without such a face are reported.
+  /// @param place in the file, for messages
   void
   AbaqusReader::add_faces(const std::string &of,
                           const std::string &label,
@@ -420,7 +445,8 @@ namespace Signorini
 
 
 
-  /// Faces that have a pressure of their own have no other name.
+  /// Pressures of *DLOAD (labels P1 to P6) act on faces that often have no name. The faces of each
+  /// different value become a surface, so that the scene can refer to them.
   void
   AbaqusReader::read_element_loads()
   {
@@ -448,6 +474,8 @@ namespace Signorini
 
 
 
+  // Instances, surfaces, element sets and node sets become groups. What has the same name is in the
+  // same group.
   void
   AbaqusReader::make_groups()
   {
@@ -476,7 +504,8 @@ namespace Signorini
 
 
 
-  /// What a deck computes with, but not this program.
+  /// Report elements of lower dimension than the solids, such as springs and shells, which have no
+  /// stiffness here.
   void
   AbaqusReader::note_of_other_elements()
   {

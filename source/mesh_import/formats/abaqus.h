@@ -8,37 +8,48 @@
 
 namespace Signorini
 {
-  /// The mesh of an input file of Abaqus or CalculiX, and what its numbers and names stand for.
+  /// The mesh of an input file of Abaqus or CalculiX, with the nodes, elements and sets by which
+  /// the rest of the file refers to it.
   struct AbaqusDeck
   {
-    MeshFile   mesh;
+    /// Nodes, elements and groups.
+    MeshFile mesh;
+    /// Numbers and named sets of nodes and elements, with indices as in `mesh`.
     AbaqusSets nodes, elements;
     std::map<std::string, std::vector<std::string>>
-      instances_of; ///< names of the instances of each part, by its name in upper case
-    std::set<std::string>    adjusted; ///< surfaces, in upper case, of which nodes were moved
-    std::vector<std::string> missing;  ///< names and faces that sets and surfaces have of nothing
+      /// Names of the instances of each part, by the name of the part in upper case.
+      instances_of;
+    /// Names, in upper case, of the surfaces of contact pairs of which nodes were moved by ADJUST.
+    std::set<std::string> adjusted;
+    /// Messages about names and faces in sets and surfaces that do not exist in the file.
+    std::vector<std::string> missing;
   };
 
-  /// Read an input file of Abaqus or CalculiX, flat or of parts and instances. Groups: instances
-  /// and element sets (the elements), element surfaces (the faces; without a face label all faces
-  /// of the elements), node sets and node surfaces (the nodes); and the faces that *DLOAD loads.
-  /// What an instance has of its part is called INSTANCE.NAME. Materials, steps and all else are
-  /// left out; the type of an element says its shape and no more. Throws SceneError with file and
-  /// line if something cannot be understood, or if a keyword that makes nodes or elements is not
-  /// known here.
+  /// Read an input file of Abaqus or CalculiX, flat or with parts and instances. The groups of the
+  /// mesh are: instances and element sets (with elements), element surfaces (with faces; without a
+  /// face label all faces of the elements), node sets and node surfaces (with nodes), and the faces
+  /// that *DLOAD loads. Sets of a part are called INSTANCE.NAME. Materials, steps and all other
+  /// keywords are ignored; of the type of an element only its shape matters. Throws SceneError with
+  /// file and line if something is not understood, or if a keyword that creates nodes or elements
+  /// is not supported.
+  /// @param file_name path of the file
+  /// @return the mesh and its names
   AbaqusDeck
   read_abaqus_deck(const std::string &file_name);
 
-  /// P1 to P6: a pressure on a face of an element.
+  /// @return whether a label of *DLOAD is a pressure on a face of an element: P1 to P6.
+  /// @param label in upper case
   bool
   is_pressure_label(const std::string &label);
 
-  /// The surface of the faces on which the n-th *DLOAD of a file has its k-th different pressure,
-  /// both counted from 1: "DLOAD 2", then "DLOAD 2 2".
+  /// @return the name of the surface of the faces on which the n-th *DLOAD of a file has its k-th
+  /// different pressure: "DLOAD 2", then "DLOAD 2 2".
+  /// @param n,k counted from 1
   std::string
   name_of_loaded_faces(unsigned int n, unsigned int k);
 
-  /// The mesh alone.
+  /// @return the mesh of read_abaqus_deck() alone.
+  /// @param file_name path of the file
   MeshFile
   read_abaqus(const std::string &file_name);
 } // namespace Signorini

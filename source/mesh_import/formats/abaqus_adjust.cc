@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <limits>
 
-// ADJUST of *CONTACT PAIR: nodes of the slave surface that lie where the deck says so are moved
-// onto the master surface before anything acts, without strain.
+// ADJUST of *CONTACT PAIR: certain nodes of the slave surface are moved onto the master surface
+// before the analysis, without strain.
 
 namespace Signorini
 {
@@ -20,6 +20,7 @@ namespace Signorini
   {
     using Nodes = MeshFile::Nodes;
 
+    /// @return the point of the segment from a to b that is closest to x.
     Point<3>
     closest_on_edge(const Point<3> &x, const Point<3> &a, const Point<3> &b)
     {
@@ -29,8 +30,8 @@ namespace Signorini
 
 
 
-    /// A straight edge in the plane, or a triangle; its normal is that of the face's corners, which
-    /// go around so that it points inward.
+    /// A part of a master face: a straight edge in 2D, or a triangle. Its normal is that of the
+    /// corners of the face, which are in an order such that it points into the body.
     struct Facet
     {
       std::vector<Point<3>> corners;
@@ -45,19 +46,23 @@ namespace Signorini
         inward /= inward.norm();
       }
 
-      /// How far a point is outside, above the plane of the facet.
+      /// @return the signed distance [length] of a point from the plane of the facet, positive
+      /// outside the body.
       double
       height(const Point<3> &x) const
       {
         return -((x - corners[0]) * inward);
       }
 
+      /// @return the orthogonal projection of a point onto the plane of the facet.
       Point<3>
       foot(const Point<3> &x) const
       {
         return x + height(x) * inward;
       }
 
+      /// @return the point of the facet closest to x: the projection if that is inside, otherwise
+      /// the closest point of an edge.
       Point<3>
       closest(const Point<3> &x) const
       {
@@ -80,7 +85,8 @@ namespace Signorini
 
 
 
-    /// Quadrilaterals have a triangle at each edge, with the center.
+    /// @return the facets of all faces; a quadrilateral has four triangles, which meet at its
+    /// centre.
     std::vector<Facet>
     facets_of(const std::vector<Nodes> &faces, const std::vector<Point<3>> &nodes)
     {
@@ -106,6 +112,7 @@ namespace Signorini
 
 
 
+    /// @return the bounding boxes of all facets.
     std::vector<BoundingBox<3>>
     boxes_of(const std::vector<Facet> &facets)
     {
@@ -117,6 +124,7 @@ namespace Signorini
 
 
 
+    /// The facets of a master surface in an R-tree of their bounding boxes.
     class MasterSurface
     {
     public:
@@ -126,11 +134,13 @@ namespace Signorini
         , tree(pack_rtree_of_indices(boxes))
       {}
 
-      /// The facet that is closest, and above or below which the point is; null if it is beside the
-      /// surface.
+      /// @return the closest facet; null if the point is beside the surface, i.e. not above or
+      /// below that facet.
       const Facet *
       facet_at(const Point<3> &x) const
       {
+        // Facets are visited in the order of the distance of their boxes, until no box is closer
+        // than the closest facet found.
         const Facet *result = nullptr;
         double       least  = std::numeric_limits<double>::max();
         for (auto i = tree.qbegin(boost::geometry::index::nearest(x, boxes.size()));
@@ -143,7 +153,8 @@ namespace Signorini
             }
         if (!result) // all facets are flat
           return nullptr;
-        // Above an edge of a surface that bends, normals differ from the way to the edge.
+        // Near a convex edge of the surface the closest point is on the edge, and differs from the
+        // projection along the normal; up to a slope of 0.3 the point is still above the facet.
         constexpr double largest_slope = 0.3;
         const double     height        = std::abs(result->height(x));
         return result->closest(x).distance(result->foot(x)) <= largest_slope * height ? result :
@@ -159,6 +170,7 @@ namespace Signorini
 
 
 
+    /// @return the faces and nodes of all groups of a name, in any case of letters.
     MeshFile::Group
     surface_called(const MeshFile &file, const std::string &name)
     {
@@ -174,8 +186,8 @@ namespace Signorini
 
 
 
-    /// The corners of the faces, or if there are none the nodes, and those of second order between
-    /// them.
+    /// @return the corners of the faces, or if there are none the nodes of the surface, and the
+    /// nodes of second order between them.
     std::set<unsigned int>
     nodes_on(const MeshFile::Group &surface, const MeshFile &file)
     {
@@ -211,7 +223,8 @@ namespace Signorini
 
 
 
-  /// As CalculiX: those of the set, or those that are not farther outside than the value.
+  /// As in CalculiX, the nodes of the set that ADJUST names are moved, or those that are at most
+  /// the value of ADJUST outside the master surface.
   void
   AbaqusReader::adjust(const Adjustment &one)
   {
@@ -236,7 +249,7 @@ namespace Signorini
         const double height       = facet->height(x),
                      size         = facet->corners[0].distance(facet->corners[1]);
         constexpr double rounding = 1e-10;
-        // What is deeper inside than a face is wide belongs to another side of the body.
+        // A node deeper inside than the width of a face belongs to another side of the body.
         if ((!set && height > value) || height < -size || std::abs(height) <= rounding * size)
           continue;
         x = facet->foot(x);

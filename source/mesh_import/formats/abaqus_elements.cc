@@ -14,6 +14,7 @@ namespace Signorini
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
 
+    /// @return the three-dimensional shape with a number of nodes.
     Shape
     solid_with(const unsigned int n_nodes)
     {
@@ -39,6 +40,7 @@ namespace Signorini
 
 
 
+    /// @return the two-dimensional shape with a number of nodes.
     Shape
     plane_with(const unsigned int n_nodes)
     {
@@ -58,14 +60,15 @@ namespace Signorini
 
 
 
+    /// Element types whose names have a common start, and the dimension of their shapes.
     struct Family
     {
       std::string  start;
       unsigned int dimension;
     };
 
-    /// Of two names that begin alike, the longer one comes first. Those of points and lines may go
-    /// on with anything, the others with the number of nodes.
+    /// The longer of two names with a common start comes first. The names of points and lines may
+    /// continue in any way, those of other types with the number of nodes.
     const std::vector<Family> families = {{"C3D", 3},    {"DC3D", 3},  {"F3D", 3},  {"AC3D", 3},
                                           {"SC", 3},     {"CPEG", 2},  {"CPE", 2},  {"CPS", 2},
                                           {"CAX", 2},    {"CGAX", 2},  {"DC2D", 2}, {"DCAX", 2},
@@ -103,7 +106,8 @@ namespace Signorini
   MeshFile::Nodes
   reordered(const AbaqusType &type, Nodes nodes)
   {
-    // The center stands before the faces' centers, and these in the order S1 to S6.
+    // Abaqus lists the centre of C3D27 before the centres of the faces, and these in the order S1
+    // to S6.
     if (type.shape == Shape::hexahedron && type.n_nodes == 27)
       {
         static const std::array<unsigned int, 7> place{{26, 24, 25, 22, 21, 23, 20}};
@@ -120,7 +124,7 @@ namespace Signorini
   {
     using Faces = std::vector<std::pair<std::string, Nodes>>;
 
-    /// Corners of each face by its label.
+    /// @return the corners of all faces of a shape with their labels, as in Abaqus.
     const Faces &
     labelled_faces(const Shape shape)
     {
@@ -177,7 +181,7 @@ namespace Signorini
     for (const auto &[name, corners] : labelled_faces(element.shape))
       if (wanted.empty() || name == wanted)
         {
-          // Those of collapsed elements have corners twice, or are no faces.
+          // Faces of collapsed elements have repeated corners, or are no faces any more.
           Nodes face;
           for (const unsigned int corner : corners)
             if (std::count(face.begin(), face.end(), element.nodes[corner]) == 0)

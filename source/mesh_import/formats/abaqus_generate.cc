@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return a word of a data line, or another text if it is missing or empty.
     std::string
     word(const std::vector<std::string> &words, const unsigned int i, const std::string &otherwise)
     {
@@ -22,7 +23,8 @@ namespace Signorini
 
 
 
-  /// Nodes that follow are given in this system; without a line, in the global one.
+  /// *SYSTEM: the nodes that follow are given in this system; without a data line, in the global
+  /// one. One point is a translation; two or three define a rotated system.
   void
   AbaqusReader::read_system()
   {
@@ -41,7 +43,7 @@ namespace Signorini
       system = std::make_unique<RigidMotion>(RigidMotion::translation(a));
     else
       {
-        // Without a third point the system turns about z.
+        // Without a third point the system is rotated about z.
         if (given <= 6)
           c = Point<3>(a[0] - (b[1] - a[1]), a[1] + (b[0] - a[0]), a[2]);
         if (cross_product_3d(b - a, c - a).norm() <= 1e-12 * (b - a).norm() * (c - a).norm())
@@ -52,6 +54,7 @@ namespace Signorini
 
 
 
+  // The position of a node that has been defined above, by its number.
   const Point<3> &
   AbaqusReader::place_of(const std::string &number) const
   {
@@ -63,6 +66,7 @@ namespace Signorini
 
 
 
+  // The number of a node of this scope by its index. Nodes of instances have none.
   std::size_t
   AbaqusReader::node_number(const unsigned int index) const
   {
@@ -76,7 +80,8 @@ namespace Signorini
 
 
 
-  /// Equal steps on the line from the first to the last node.
+  /// *NGEN: nodes in equal steps on the line from the first to the last node. Data lines: first,
+  /// last, increment of the numbers.
   void
   AbaqusReader::generate_nodes()
   {
@@ -100,8 +105,9 @@ namespace Signorini
 
 
 
-  /// Rows between the nodes of two sets, one after the other; with BIAS each interval is so many
-  /// times the one after it.
+  /// *NFILL: rows of nodes between the nodes of two sets, one row for each pair. Data lines: first
+  /// set, second set, number of intervals, increment of the numbers. With BIAS each interval is
+  /// that many times as long as the next one.
   void
   AbaqusReader::fill_nodes()
   {
@@ -141,6 +147,8 @@ namespace Signorini
 
 
 
+  // *NCOPY, SHIFT: copies of a set, moved by the motion of the data lines once, twice, ...
+  // (MULTIPLE). Each copy adds CHANGE NUMBER to the numbers.
   void
   AbaqusReader::copy_nodes()
   {
@@ -179,8 +187,9 @@ namespace Signorini
 
 
 
-  /// Rows, rows of rows and layers of these: each with its number, and what is added to the numbers
-  /// of nodes and of elements.
+  /// *ELGEN: copies of an element in rows, planes of rows and layers of planes. The data line has,
+  /// after the number of the element, for each of the three directions the number of elements and
+  /// the increments of the numbers of nodes and of elements.
   void
   AbaqusReader::generate_elements()
   {
@@ -224,6 +233,7 @@ namespace Signorini
 
 
 
+  // *ELCOPY: copies of a set of elements with shifted numbers of elements and nodes.
   void
   AbaqusReader::copy_elements()
   {

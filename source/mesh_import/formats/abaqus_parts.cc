@@ -12,6 +12,7 @@ namespace Signorini
   {
     using Nodes = MeshFile::Nodes;
 
+    /// Add a number to all indices.
     void
     shift(Nodes &indices, const unsigned int by)
     {
@@ -21,7 +22,8 @@ namespace Signorini
 
 
 
-    /// The same numbers and sets of nodes or elements that begin at another index.
+    /// @return the same numbers and sets with indices that are larger by a number, for the copy of
+    /// a part in an instance.
     AbaqusSets
     shifted(const AbaqusSets &sets, const unsigned int by)
     {
@@ -40,6 +42,7 @@ namespace Signorini
 
 
 
+  // Keywords up to *END PART define a mesh of its own, whose numbers are independent of others.
   void
   AbaqusReader::begin_part()
   {
@@ -66,7 +69,8 @@ namespace Signorini
 
 
 
-  /// First a translation, then a rotation about an axis through two points, in degrees.
+  /// Data lines of *INSTANCE and *NCOPY: first a translation, then a rotation about an axis through
+  /// two points, in degrees.
   RigidMotion
   AbaqusReader::read_motion()
   {
@@ -96,6 +100,8 @@ namespace Signorini
 
 
 
+  // An instance copies the mesh of its part with a rigid motion into the mesh of the file. Its sets
+  // may be extended until *END INSTANCE.
   void
   AbaqusReader::begin_instance()
   {
@@ -139,6 +145,8 @@ namespace Signorini
 
 
 
+  // Numbers and sets of the instance become known in the assembly as INSTANCE.NUMBER and
+  // INSTANCE.NAME.
   void
   AbaqusReader::end_instance()
   {

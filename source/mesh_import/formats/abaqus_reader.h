@@ -10,12 +10,16 @@
 
 namespace Signorini
 {
-  /// Reads the keywords that make a mesh: a small function each, in the registry of abaqus.cc.
+  /// Reads the keywords that define a mesh, each by a function of its own; the registry in
+  /// abaqus.cc maps keywords to functions.
   class AbaqusReader
   {
   public:
+    /// @param file_name path of the file, which is opened at once; throws SceneError
     explicit AbaqusReader(const std::string &file_name);
 
+    /// Read the whole file. May be called once.
+    /// @return the mesh, which is moved out of the reader
     AbaqusDeck
     read();
 
@@ -23,7 +27,7 @@ namespace Signorini
     using Words   = std::vector<std::string>;
     using Members = std::vector<unsigned int>;
 
-    /// Members of a set that stand below it in the file, or nowhere.
+    /// Members of a set that are defined below it in the file, or nowhere.
     struct LateMembers
     {
       bool                     are_nodes;
@@ -31,33 +35,37 @@ namespace Signorini
       std::vector<std::string> words;
     };
 
-    /// A surface, whose elements and sets may stand below it.
+    /// A surface, whose elements and sets may be defined below it.
     struct LateSurface
     {
       std::string name, type;
       bool        is_union;
       std::string instance;
 
-      std::vector<std::pair<Words, std::string>> lines; ///< with their places, for messages
+      /// Data lines with their positions in the file, for messages.
+      std::vector<std::pair<Words, std::string>> lines;
     };
 
-    /// Slave nodes that are to be moved onto a master: a set, or up to a distance.
+    /// An ADJUST of a contact pair: slave nodes that are moved onto a master surface. `of` is the
+    /// name of a set of nodes, or a distance [length].
     struct Adjustment
     {
       std::string slave, master, of;
     };
 
-    /// Where names and numbers count: the file or assembly, a part, or an instance.
+    /// A range of names and numbers: the file or assembly, a part, or an instance.
     struct Scope
     {
-      std::shared_ptr<MeshFile>    mesh; ///< an instance has that of the file
+      /// Nodes and elements; an instance shares those of the file.
+      std::shared_ptr<MeshFile>    mesh;
       AbaqusSets                   nodes, elements;
       std::vector<MeshFile::Group> surfaces;
 
       std::vector<LateMembers> late_members;
       std::vector<LateSurface> late_surfaces;
 
-      std::unordered_map<unsigned int, std::size_t> number_of; ///< nodes, by their indices
+      /// The numbers of nodes by their indices.
+      std::unordered_map<unsigned int, std::size_t> number_of;
     };
 
     // Nodes and elements
@@ -74,7 +82,7 @@ namespace Signorini
                 const std::string              &type_name,
                 const std::vector<std::size_t> &numbers,
                 AbaqusSet                      *set);
-    /// An element like another one with other nodes.
+    /// Add an element with the type of another one and other nodes.
     void
     copy_element(unsigned int like, std::size_t number, const MeshFile::Nodes &nodes);
     void
@@ -91,7 +99,8 @@ namespace Signorini
     read_surface();
     void
     read_members(AbaqusSets &sets, const std::string &name, Members members);
-    /// Sets and surfaces that may ask for what stands below them: at the end of the model.
+    /// Complete the sets and surfaces that refer to what is defined below them, at the end of the
+    /// scope.
     void
     complete_scope();
     void
@@ -153,14 +162,17 @@ namespace Signorini
 
     static const std::map<std::string, void (AbaqusReader::*)(), IgnoringBlanks> registry;
 
-    KeywordFile                  in;
-    AbaqusDeck                   deck;
-    Scope                        whole, instance;
-    std::map<std::string, Scope> parts; ///< by their names in upper case
+    KeywordFile in;
+    AbaqusDeck  deck;
+    Scope       whole, instance;
+    /// Parts by their names in upper case.
+    std::map<std::string, Scope> parts;
     Scope                       *scope = &whole;
     std::string                  instance_name;
-    std::vector<MeshFile::Group> instances; ///< the elements of each
-    std::unique_ptr<RigidMotion> system;    ///< of *SYSTEM
+    /// One group for each instance, with its elements.
+    std::vector<MeshFile::Group> instances;
+    /// The coordinate system of *SYSTEM; null: the global one.
+    std::unique_ptr<RigidMotion> system;
     std::vector<Adjustment>      adjustments;
     std::set<std::string>        notes;
     unsigned int                 n_element_loads = 0;

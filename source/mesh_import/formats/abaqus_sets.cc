@@ -11,6 +11,7 @@ namespace Signorini
 {
   namespace
   {
+    /// @return whether a word consists of digits.
     bool
     is_number(const std::string &word)
     {
@@ -19,6 +20,7 @@ namespace Signorini
 
 
 
+    /// @return INSTANCE.NAME, or the name alone outside of instances.
     std::string
     in_instance(const std::string &instance, const std::string &name)
     {
@@ -106,7 +108,8 @@ namespace Signorini
                               std::vector<unsigned int> &members,
                               const std::string         &instance) const
   {
-    // A set may be called like a number, which counts first, as in CalculiX.
+    // The name of a set may be a number. A number then refers to the node or element first, as in
+    // CalculiX.
     const std::string name   = in_instance(instance, word);
     const auto        dot    = name.rfind('.');
     const std::string number = dot == std::string::npos ? name : name.substr(dot + 1);
@@ -141,6 +144,8 @@ namespace Signorini
 
 
 
+  // Short ranges are looked up number by number; long ones, for which files write 1 to 999999999 to
+  // say "all", by a pass over the numbers that exist.
   void
   AbaqusSets::append_range(const std::size_t          first,
                            const std::size_t          last,
@@ -156,7 +161,7 @@ namespace Signorini
             members.push_back(found);
         return;
       }
-    // 1 to 999999999 is a way to say all.
+    // Sorted by number, as a range is.
     std::map<std::size_t, unsigned int> in_range;
     for (const auto &[number, index] : numbers)
       if (number >= first && number <= last && (number - first) % step == 0)

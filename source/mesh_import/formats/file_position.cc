@@ -6,6 +6,7 @@
 
 namespace Signorini
 {
+  // The lines before the position are counted only now, when an error is reported.
   std::string
   position_of_failure(std::istream &in, const std::string &file_name)
   {

@@ -23,13 +23,14 @@ namespace Signorini
   {
     using Shape = MeshFile::Shape;
 
+    /// Shape and number of nodes of an element type.
     struct Type
     {
       Shape        shape;
       unsigned int n_nodes; ///< 0: any
     };
 
-    /// An element type as Gmsh numbers it.
+    /// @return shape and number of nodes of an element type as Gmsh numbers it.
     Type
     type_of(const unsigned int type)
     {
@@ -46,8 +47,8 @@ namespace Signorini
 
 
 
-    /// Where the nodes of a solid stand in Gmsh, which lists the edges by their first and second
-    /// corner and the faces by their corners.
+    /// @return the nodes of an element in the order of MeshFile::Element. Gmsh lists the edges by
+    /// their first and second corner and the faces by their corners.
     MeshFile::Nodes
     reordered(const Shape shape, const MeshFile::Nodes &nodes)
     {
@@ -68,6 +69,9 @@ namespace Signorini
 
 
 
+    /// Reads the sections $Name ... $EndName in the order of the file. Only ASCII files of format
+    /// 2.2 ("old") and 4.1 ("new") are accepted. In format 4.1 elements belong to entities, which
+    /// belong to physical groups; in format 2.2 they have their group themselves.
     class GmshReader
     {
     public:
@@ -114,6 +118,7 @@ namespace Signorini
           fail("has no elements");
         for (unsigned int dimension = 0; dimension < 4; ++dimension)
           {
+            /// Append a list to another one.
             for (const auto &[tag, name] : names[dimension])
               append(file.group(name).elements, members[dimension][tag]);
             for (const auto &[tag, elements] : members[dimension])
@@ -136,7 +141,7 @@ namespace Signorini
         to.insert(to.end(), from.begin(), from.end());
       }
 
-      /// What stands behind the next `$`; empty at the end of the file.
+      /// @return the name of the next section; empty at the end of the file.
       std::string
       next_section()
       {
@@ -146,6 +151,8 @@ namespace Signorini
         return "";
       }
 
+      /// Advance behind the end of a section whose numbers have been read. Throws SceneError if
+      /// reading has failed.
       void
       skip_section(const std::string &section)
       {
@@ -156,6 +163,7 @@ namespace Signorini
           fail("ends within $" + section);
       }
 
+      /// Lines: dimension, tag, "name" of a physical group.
       void
       read_names()
       {
@@ -175,12 +183,14 @@ namespace Signorini
           }
       }
 
+      /// The numbers of points, curves, surfaces and volumes, and then these.
       void
       read_entities()
       {
         std::array<std::size_t, 4> n{};
         for (std::size_t &count : n)
           in >> count;
+        /// Tag, coordinates or bounding box, physical groups, and boundaries of one entity.
         for (unsigned int dimension = 0; dimension < 4; ++dimension)
           for (std::size_t i = 0; i < n[dimension] && in; ++i)
             read_entity(dimension);
@@ -192,6 +202,7 @@ namespace Signorini
         int         tag = 0, group = 0, ignored;
         std::size_t n = 0;
         in >> tag;
+        /// Read and discard n numbers.
         skip_numbers(dimension == 0 ? 3 : 6); // a point, or a bounding box
         in >> n;
         for (std::size_t i = 0; i < n && in >> group; ++i)
@@ -211,13 +222,15 @@ namespace Signorini
           in >> ignored;
       }
 
-      /// The sign of a group is a direction. The smallest integer has no other one.
+      /// @return the absolute value of a group, whose sign is a direction. The smallest integer has
+      /// no absolute value.
       static int
       without_sign(const int group)
       {
         return std::abs(std::max(group, -std::numeric_limits<int>::max()));
       }
 
+      /// Read the three coordinates of a node with a tag.
       void
       read_point(const std::size_t tag)
       {
@@ -238,6 +251,8 @@ namespace Signorini
           read_point(tag);
       }
 
+      /// Blocks of nodes of one entity: first all tags, then all coordinates, with parameters on
+      /// the entity if the block is parametric.
       void
       read_new_nodes()
       {
@@ -260,7 +275,7 @@ namespace Signorini
           }
       }
 
-      /// The nodes are what is left of the line.
+      /// Read an element, whose nodes are the rest of the line, and add it to its groups.
       void
       read_element(const std::size_t       number,
                    const unsigned int      type,
@@ -289,6 +304,7 @@ namespace Signorini
         file.elements.push_back(element);
       }
 
+      /// Lines: tag, type, number of tags, tags (the first is the physical group), nodes.
       void
       read_old_elements()
       {
@@ -306,6 +322,7 @@ namespace Signorini
           }
       }
 
+      /// Blocks of elements of one entity and type.
       void
       read_new_elements()
       {
@@ -323,7 +340,8 @@ namespace Signorini
           }
       }
 
-      /// Numbers at nodes; of several with one name, as of steps in time, the last counts.
+      /// Read a $NodeData. Of several with one name, such as steps in time, the last one is kept.
+      /// Fields with more than one component are skipped.
       void
       read_field()
       {
@@ -357,11 +375,12 @@ namespace Signorini
           file.fields[name] = values;
       }
 
-      const std::string                             file_name;
-      std::ifstream                                 in;
-      MeshFile                                      file;
-      bool                                          is_new = true; ///< format 4.1
-      std::unordered_map<std::size_t, unsigned int> index_of;      ///< index of a node by its tag
+      const std::string file_name;
+      std::ifstream     in;
+      MeshFile          file;
+      /// Whether the format is 4.1 (otherwise 2.2).
+      bool                                          is_new = true;
+      std::unordered_map<std::size_t, unsigned int> index_of; ///< index of a node by its tag
 
       // By dimension and then by tag: physical names, physical tags of entities, and elements of
       // physical tags.

@@ -27,7 +27,7 @@ namespace Signorini
 
 
 
-    /// At the commas that are not in quotes.
+    /// @return the trimmed words between commas that are not in quotes.
     std::vector<std::string>
     split_at_commas(const std::string &text)
     {
@@ -48,6 +48,7 @@ namespace Signorini
 
 
 
+    /// @return a text without quotes and outer blanks.
     std::string
     without_quotes(std::string text)
     {
@@ -57,7 +58,8 @@ namespace Signorini
 
 
 
-    /// NODE   PRINT and NODE PRINT are the same keyword.
+    /// @return a text with single blanks between words, since NODE   PRINT and NODE PRINT are the
+    /// same keyword.
     std::string
     with_single_blanks(const std::string &text)
     {
@@ -108,6 +110,8 @@ namespace Signorini
 
 
 
+  // Files are a stack, of which the last one is read. A limit of its depth ends files that include
+  // themselves.
   void
   KeywordFile::open(const std::string &file_name)
   {
@@ -125,6 +129,8 @@ namespace Signorini
 
 
 
+  // The next line that is neither empty nor a comment, with blanks for tabs and numbers for
+  // <names>; of the including file where an included one ends.
   bool
   KeywordFile::next_text(std::string &line)
   {
@@ -151,6 +157,8 @@ namespace Signorini
 
 
 
+  // `pending` is a keyword line that has been read while data lines were expected. *INCLUDE and
+  // *PARAMETER are processed here and not returned.
   bool
   KeywordFile::next_keyword()
   {
@@ -175,7 +183,8 @@ namespace Signorini
   {
     if (upper_case(split_at_commas(line)[0]) != "*INCLUDE")
       return false;
-    // The keyword whose data lines it stands among goes on after it.
+    // An *INCLUDE among data lines continues these lines: the present keyword is restored
+    // afterwards.
     const auto keyword = my_keyword;
     const auto others  = parameters;
     parse_keyword(line);
@@ -190,6 +199,8 @@ namespace Signorini
 
 
 
+  // Each data line is "name = formula" with ** for powers; # begins a comment. The definitions are
+  // copied, so that formulas that are in use keep theirs.
   void
   KeywordFile::read_parameters()
   {
@@ -230,6 +241,7 @@ namespace Signorini
 
 
 
+  // Each <name> is replaced by its value with 16 digits.
   std::string
   KeywordFile::evaluated(std::string line) const
   {
@@ -255,6 +267,7 @@ namespace Signorini
 
 
 
+  // "*KEYWORD, NAME=value, FLAG": a line that ends with a comma continues.
   void
   KeywordFile::parse_keyword(std::string line)
   {
@@ -293,6 +306,7 @@ namespace Signorini
 
 
 
+  // INPUT=file: the first data lines are those of the other file.
   bool
   KeywordFile::next_line(std::vector<std::string> &words)
   {

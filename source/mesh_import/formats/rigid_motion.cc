@@ -17,7 +17,8 @@ namespace Signorini
 
 
 
-  // Rodrigues: R = cos I + sin [n]x + (1 - cos) n (x) n.
+  // Rodrigues' formula R = cos(a) I + sin(a) [n]x + (1 - cos(a)) n n^T, column by column; the shift
+  // leaves the axis fixed.
   RigidMotion
   RigidMotion::about_axis(const Point<3> &a, const Point<3> &b, const double angle)
   {
@@ -36,6 +37,7 @@ namespace Signorini
 
 
 
+  // The columns of the rotation are the axes of the system, orthogonalised.
   RigidMotion
   RigidMotion::of_system(const Point<3> &origin, const Point<3> &on_x, const Point<3> &in_xy)
   {
@@ -56,6 +58,7 @@ namespace Signorini
 
 
 
+  // x -> R2 (R1 x + c1) + c2.
   RigidMotion
   RigidMotion::then(const RigidMotion &next) const
   {

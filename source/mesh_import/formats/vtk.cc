@@ -18,7 +18,7 @@ namespace Signorini
 {
   namespace
   {
-    /// Legacy files are big-endian.
+    /// @return a number of a binary legacy file, which is big-endian, on a little-endian machine.
     template <typename T>
     T
     from_big_endian(const char *bytes)
@@ -32,6 +32,9 @@ namespace Signorini
 
 
 
+    /// Reads the sections of a legacy file one after the other. The first two lines are the version
+    /// and a title; the third is ASCII or BINARY. Sections that do not matter are skipped by
+    /// reading their numbers.
     class VTKReader
     {
     public:
@@ -54,6 +57,7 @@ namespace Signorini
       {
         for (std::string word; in >> word;)
           {
+            /// Read the section that a word begins.
             read_section(word);
             if (in.fail())
               fail("has something behind " + word + " that does not belong there" +
@@ -100,6 +104,7 @@ namespace Signorini
           skip_paragraph();
         else if (skipped.count(word))
           {
+            /// @return the next word of the text; empty at the end of the file.
             next_word();
             numbers<double>(next_word(), n_values * skipped.at(word));
           }
@@ -115,6 +120,7 @@ namespace Signorini
         return word;
       }
 
+      /// @return the next number of the text; 0 if there is none.
       std::size_t
       next_number()
       {
@@ -123,6 +129,7 @@ namespace Signorini
         return number;
       }
 
+      /// Skip the lines up to the next empty one (METADATA).
       void
       skip_paragraph()
       {
@@ -132,7 +139,8 @@ namespace Signorini
           ;
       }
 
-      /// What VTK calls its types.
+      /// @return n numbers of a type as VTK names it; fewer if the file ends, or a word is none.
+      /// Memory grows with what is read, so that a wrong n cannot exhaust it.
       template <typename T>
       std::vector<T>
       numbers(const std::string &type, const std::size_t n)
@@ -161,6 +169,7 @@ namespace Signorini
         fail("has numbers of type '" + type + "', which are not read here; save it as text");
       }
 
+      /// @return n numbers that are written as text.
       template <typename T>
       std::vector<T>
       words_as(const std::size_t n)
@@ -171,6 +180,7 @@ namespace Signorini
         return result;
       }
 
+      /// @return n binary numbers, converted from the type in which they are stored.
       template <typename T, typename Stored>
       std::vector<T>
       bytes_as(const std::size_t n)
@@ -191,8 +201,8 @@ namespace Signorini
           file.nodes.emplace_back(xs[i], xs[i + 1], xs[i + 2]);
       }
 
-      /// Since version 5, two arrays: where each cell begins, and all points. Before, the number of
-      /// points stands before the points of each cell.
+      /// Since version 5, CELLS are two arrays: where each cell begins, and the points of all
+      /// cells. Before, the number of points precedes the points of each cell.
       void
       read_cells()
       {
@@ -248,6 +258,8 @@ namespace Signorini
           next_word();
         else
           fail("has SCALARS " + name + " without LOOKUP_TABLE");
+        /// Read an array. Scalars at points become fields; integers at cells become groups;
+        /// everything else is read and discarded.
         read_array(name, type, n, n_values);
       }
 
@@ -294,7 +306,8 @@ namespace Signorini
       std::vector<long> offsets, points;
       std::size_t       n_values = 0;
       bool              binary   = false;
-      bool              of_cells = false; ///< what data belong to
+      /// Whether data belong to cells or to points.
+      bool of_cells = false;
     };
   } // namespace
 

@@ -12,8 +12,8 @@ namespace Signorini
   {
     constexpr unsigned int pixel = 8, voxel = 11; // these cross over, the others go around
 
-    /// The Lagrange cells of any order, as those of first and second order: in which the nodes have
-    /// the same order.
+    /// @return for a Lagrange cell of first or second order the type of the ordinary cell with the
+    /// same order of nodes; other types unchanged.
     unsigned int
     plain_type(const unsigned int type, const unsigned int n_nodes)
     {
@@ -33,6 +33,7 @@ namespace Signorini
 
 
 
+    /// @return shape and number of nodes of a type of VTK; unknown and 0 if it is not supported.
     std::pair<MeshFile::Shape, unsigned int>
     vtk_type(const unsigned int type)
     {
@@ -55,6 +56,8 @@ namespace Signorini
 
 
 
+    /// Add a cell with nodes in the order of MeshFile::Element. Only the pixel and the voxel, which
+    /// have lexicographic order, and the triangle with a node at its centre differ from it.
     void
     add_cell(MeshFile &file, const unsigned int type, const MeshFile::Nodes &nodes)
     {

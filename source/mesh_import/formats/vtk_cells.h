@@ -5,19 +5,23 @@
 
 namespace Signorini
 {
-  /// Add cells to a file whose nodes are there.
-  /// @param types as VTK numbers them, one a cell
-  /// @param offsets into `points`, of the first point of each cell, and the end of the last cell
-  /// Throws SceneError, without the file's name, if the points are not there or not as many as a
-  /// type has.
+  /// Add cells to a file whose nodes have been read. Throws SceneError, without the file's name, if
+  /// points do not exist, or are not as many as the type of a cell has.
+  /// @param file the mesh, which is changed
+  /// @param types of the cells, as VTK numbers them
+  /// @param offsets into `points`: of the first point of each cell, and the end of the last cell
+  /// @param points of all cells, one cell after the other
   void
   add_vtk_cells(MeshFile                &file,
                 const std::vector<long> &types,
                 const std::vector<long> &offsets,
                 const std::vector<long> &points);
 
-  /// Add the groups of an array of integers, one a cell: "NAME VALUE" for each value. An array of
-  /// more than 1000 values counts the cells rather than naming them, and gives no groups.
+  /// Add a group "NAME VALUE" for each value in an array of integers. An array of more than 1000
+  /// values numbers the cells rather than naming sets of them, and defines no groups.
+  /// @param file the mesh, which is changed
+  /// @param name of the array
+  /// @param values one for each cell
   void
   add_vtk_groups(MeshFile &file, const std::string &name, const std::vector<long> &values);
 } // namespace Signorini

@@ -21,6 +21,7 @@ namespace Signorini
   {
     using Tree = boost::property_tree::ptree;
 
+    /// @return an attribute of an XML element; empty if it has none.
     std::string
     attribute(const Tree &tree, const std::string &name)
     {
@@ -29,8 +30,8 @@ namespace Signorini
 
 
 
-    /// The child, or an empty tree. The name is no temporary string, to which the result would seem
-    /// to refer.
+    /// @return a child of an XML element, or an empty tree. The name is not a temporary string,
+    /// because the result would seem to refer to it.
     const Tree &
     child(const Tree &tree, const char *name)
     {
@@ -41,6 +42,8 @@ namespace Signorini
 
 
 
+    /// Reads the XML with Boost's property tree, after raw binary data have been cut off; arrays
+    /// are decoded when they are needed.
     class VTUReader
     {
     public:
@@ -94,8 +97,8 @@ namespace Signorini
         throw SceneError("mesh file '" + file_name + "' " + what);
       }
 
-      /// The XML reader calls itself for each element within another one, and would run out of
-      /// stack.
+      /// Throws SceneError if elements are nested too deeply: the XML reader is recursive, and
+      /// would exhaust the stack.
       void
       reject_depth(const std::string &text) const
       {
@@ -111,6 +114,7 @@ namespace Signorini
           }
       }
 
+      /// Read points, cells, scalar fields at points, and groups from arrays of integers at cells.
       void
       read_piece(const Tree &piece)
       {
@@ -137,7 +141,7 @@ namespace Signorini
             }
       }
 
-      /// Scalars of any type.
+      /// Read the arrays at points with one component as fields.
       void
       read_fields(const Tree &point_data)
       {
@@ -152,6 +156,7 @@ namespace Signorini
             }
       }
 
+      /// Read the arrays `connectivity`, `offsets` (ends of the cells) and `types`.
       void
       read_cells(const Tree &cells)
       {
@@ -171,12 +176,14 @@ namespace Signorini
         add_vtk_cells(file, types, offsets, points);
       }
 
+      /// @return whether a type of VTK is an integer: Int32, UInt8 and so on.
       static bool
       is_integer(const std::string &type)
       {
         return type.find("Int") != std::string::npos;
       }
 
+      /// @return the numbers of an array, in whichever format it is stored.
       template <typename T>
       std::vector<T>
       numbers(const Tree &array) const
@@ -219,6 +226,8 @@ namespace Signorini
         throw SceneError("has numbers of the unknown type '" + type + "'");
       }
 
+      /// @return the numbers in some bytes, converted from the (little-endian) type in which they
+      /// are stored.
       template <typename T, typename Stored>
       static std::vector<T>
       bytes_as(const std::string &bytes)
@@ -233,6 +242,7 @@ namespace Signorini
         return result;
       }
 
+      /// @return the bytes of an array in base64 or in the raw data at the end of the file.
       std::string
       bytes_of(const Tree &array, const std::string &format) const
       {
@@ -243,7 +253,8 @@ namespace Signorini
         return data.from_raw(raw, array.get<std::size_t>("<xmlattr>.offset", 0));
       }
 
-      /// Raw data behind the arrays, from the first underscore on, are no XML.
+      /// Move raw data, which follow the first underscore of AppendedData and are not XML, to
+      /// `raw`.
       void
       cut_raw_data(std::string &text)
       {
@@ -261,7 +272,8 @@ namespace Signorini
       Tree              document;
       MeshFile          file;
       VtuData           data;
-      std::string       raw; ///< what stands behind the arrays
+      /// The raw data at the end of the file.
+      std::string raw;
     };
   } // namespace
 

@@ -18,6 +18,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return a text without white space.
     std::string
     without_blanks(std::string text)
     {
@@ -30,6 +31,7 @@ namespace Signorini
 
 
 
+    /// @return the bytes of a text in base64. Throws SceneError.
     std::string
     decoded(const std::string &base64)
     {
@@ -46,7 +48,8 @@ namespace Signorini
 
 
 
-    /// Length in base64, where three bytes become four characters.
+    /// @return the number of characters of n bytes in base64, where three bytes become four
+    /// characters.
     std::size_t
     in_base64(const std::size_t n_bytes)
     {
@@ -55,6 +58,7 @@ namespace Signorini
 
 
 
+    /// @return `size` bytes from `begin` on. Throws SceneError if there are not as many.
     std::string
     part_of(const std::string &bytes, const std::size_t begin, const std::size_t size)
     {
@@ -65,6 +69,7 @@ namespace Signorini
 
 
 
+    /// @return all bytes from `begin` on. Throws SceneError if there are none.
     std::string
     rest_of(const std::string &bytes, const std::size_t begin)
     {
@@ -75,6 +80,8 @@ namespace Signorini
 
 
 
+    /// @return uncompressed bytes. A size that zlib cannot reach from so few bytes is rejected
+    /// before memory is allocated.
     std::string
     inflated(const std::string &packed, const std::size_t size)
     {
@@ -149,6 +156,7 @@ namespace Signorini
 
 
 
+  // All blocks have the same size, except for the last one if its size is not zero.
   std::string
   VtuData::unpacked(const std::string &header, const std::string &data) const
   {

@@ -15,6 +15,8 @@ namespace Signorini
   {
     constexpr double largest_angle = 35; // [degrees] between facets: 12 on a circle and more
 
+    /// The unit normal of a face. A quadrilateral need not be plane: its normal is that of both
+    /// diagonals.
     template <int dim>
     Tensor<1, dim>
     normal_of(const std::vector<unsigned int> &v, const std::vector<Point<dim>> &vertices)
@@ -30,6 +32,9 @@ namespace Signorini
 
 
 
+  // Faces are neighbours where exactly two of them have a rim (2D: a vertex, 3D: an edge) in
+  // common. At a rim of three or more faces, where surfaces branch, no two of them continue each
+  // other. Cost: O(n log n) for n faces.
   template <int dim>
   FacetGraph<dim>::FacetGraph(const std::vector<CellData<dim - 1>> &faces,
                               const std::vector<Point<dim>>        &vertices,
@@ -60,15 +65,21 @@ namespace Signorini
                         const unsigned int               a,
                         const unsigned int               b)
   {
-    // Faces that go on straight lie opposite to each other.
+    // The inward directions of two faces that continue each other in one plane are opposite: minus
+    // their product is the cosine of the angle by which the surface bends at the rim.
     const double cosine =
       -(inward(rim, faces[a].vertices, vertices) * inward(rim, faces[b].vertices, vertices));
     if (cosine < std::cos(largest_angle * numbers::PI / 180))
       return;
+    // The sagitta of a chord of length L that spans the angle a of a circle is L a/8 to leading
+    // order; the distance between the centres of the faces is taken for L. Below 1e-5 the angle is
+    // rounding of the coordinates.
     const double angle   = std::acos(std::min(1., cosine));
     double       sagitta = angle > 1e-5 ? centers[a].distance(centers[b]) * angle / 8 : 0.;
-    // Halves of lines; of triangles the centers of which are half as far from each other as those
-    // of squares.
+    // Faces with inserted vertices are parts of facets of the file, and the sagitta wanted is that
+    // of the whole facet. In 2D the parts are halves of lines. In 3D they are quadrilaterals cut
+    // from triangles, whose centres are half as far from each other as those of squares. The
+    // sagitta grows with the square of the length, of which the angle already contains one factor.
     for (const unsigned int v : faces[a].vertices)
       if (inserted[v])
         {

@@ -8,46 +8,61 @@
 
 namespace Signorini
 {
-  /// Boundary faces as facets of something that may be curved: which of them go on in each other at
-  /// a small angle.
+  /// The boundary faces of a mesh as facets of a surface that may be curved. Two faces are
+  /// neighbours in this graph if they share a rim (2D: a vertex, 3D: an edge) at which the surface
+  /// bends by no more than 35 degrees, i.e. if they may approximate one smooth surface.
   template <int dim>
   class FacetGraph
   {
   public:
+    /// A face that continues another one smoothly.
     struct Neighbour
     {
+      /// Index into `faces`.
       unsigned int face;
-      double       sagitta; ///< of a chord as long as a facet; 0 if they are in a plane
+      /// The sagitta [length] of a circular arc over a facet, estimated from the angle at the
+      /// common rim and the distance of the two centres; 0 if both facets are in one plane.
+      double sagitta;
     };
 
-    /// @param faces with vertices in deal.II's order
-    /// @param inserted vertices between others, where facets were divided. Refers to all three.
+    /// Build the graph. It refers to all three arguments, which must live as long as it does.
+    /// @param faces the boundary faces, with vertices in deal.II's order
+    /// @param vertices the vertices of the mesh
+    /// @param inserted one entry for each vertex: whether it was inserted between others where
+    /// facets were divided, and therefore need not be on the surface
     FacetGraph(const std::vector<dealii::CellData<dim - 1>> &faces,
                const std::vector<dealii::Point<dim>>        &vertices,
                const std::vector<bool>                      &inserted);
 
+    /// @return the faces that continue this one smoothly, in no particular order.
+    /// @param face index into `faces`
     const std::vector<Neighbour> &
     neighbours(const unsigned int face) const
     {
       return of_faces[face];
     }
 
-    /// Of unit length and any sign.
+    /// @return the normal of a face, of unit length; its sign (outward or inward) is arbitrary.
+    /// @param face index into `faces`
     const dealii::Tensor<1, dim> &
     normal(const unsigned int face) const
     {
       return normals[face];
     }
 
-    /// The largest of these faces and their neighbours.
+    /// @return the largest sagitta [length] at the rims of these faces; 0 if they have no
+    /// neighbours, or are in one plane with all of them.
+    /// @param some indices into `faces`
     double
     sagitta(const std::vector<unsigned int> &some) const;
 
+    /// The arguments of the constructor.
     const std::vector<dealii::CellData<dim - 1>> &faces;
     const std::vector<dealii::Point<dim>>        &vertices;
     const std::vector<bool>                      &inserted;
 
   private:
+    /// Make two faces neighbours if the surface bends by at most 35 degrees at their common rim.
     void
     join(const std::vector<unsigned int> &rim, unsigned int a, unsigned int b);
 

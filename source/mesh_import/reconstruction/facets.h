@@ -7,6 +7,9 @@
 
 namespace Signorini
 {
+  /// @return the mean of the coordinates of some vertices.
+  /// @param nodes indices into `vertices`
+  /// @param vertices all vertices of the mesh
   template <int dim>
   dealii::Point<dim>
   center_of(const std::vector<unsigned int> &nodes, const std::vector<dealii::Point<dim>> &vertices)
@@ -17,7 +20,9 @@ namespace Signorini
     return center;
   }
 
-  /// Where faces meet: vertices in 2D, edges in 3D.
+  /// @return the rims at which a face meets others, each as sorted indices of vertices: its two
+  /// vertices in 2D, its four edges in 3D.
+  /// @param v the vertices of the face, in deal.II's order
   template <int dim>
   std::vector<std::vector<unsigned int>>
   rims_of(const std::vector<unsigned int> &v)

@@ -21,6 +21,9 @@ namespace Signorini
   Point<dim>
   FittedSurface<dim>::closest(const Point<dim> &p) const
   {
+    // With an axis (cylinder, cone) the arm is the component of the position normal to it. The axis
+    // of a sphere is zero, so that the arm is the whole vector from the centre, and the height is
+    // 0.
     const double         height = (p - center) * axis;
     const Tensor<1, dim> arm    = (p - center) - height * axis;
     return p + arm * ((radius + slope * height) / arm.norm() - 1);
@@ -40,7 +43,7 @@ namespace Signorini
 
   namespace
   {
-    /// With zeros instead of rounding.
+    /// @return a point as text, with components below 1e-9 of a length written as zero.
     template <int dim>
     std::string
     words(Point<dim> p, const double scale)
@@ -73,7 +76,9 @@ namespace Signorini
 
   namespace
   {
-    /// In units in which the points are about one large.
+    /// The points to be fitted, shifted to their mean and scaled so that the farthest is at the
+    /// distance 1: the least-squares problems below have entries of order one in any unit of
+    /// length.
     template <int dim>
     struct PointCloud
     {
@@ -92,6 +97,8 @@ namespace Signorini
           p = Point<dim>((p - middle) / unit);
       }
 
+      /// @return a surface that was fitted to the scaled points, in the units of the given points.
+      /// The slope of a cone is a ratio and does not change.
       FittedSurface<dim>
       in_given_units(FittedSurface<dim> surface) const
       {
@@ -101,7 +108,10 @@ namespace Signorini
       }
     };
 
-    /// |x|^2 = 2 c.x + d, which is linear in what is sought.
+    /// @return the sphere (2D: circle) fitted to points. Its equation |x|^2 = 2 c.x + d with d =
+    /// r^2 - |c|^2 is linear in the unknowns c and d, and solved by linear least squares. That
+    /// minimises differences of squared distances, which is the same as distances for points that
+    /// are on the sphere.
     template <int dim>
     FittedSurface<dim>
     sphere_through(const std::vector<Point<dim>> &points)
@@ -123,7 +133,9 @@ namespace Signorini
       return result;
     }
 
-    /// Normals of a cylinder or a cone have the same component along its axis.
+    /// @return an approximate axis of a cylinder or cone. Its normals all have the same component
+    /// along the axis: the axis is the direction of least variance of the normals, the eigenvector
+    /// of their covariance matrix with the smallest eigenvalue.
     Tensor<1, 3>
     guess_of_axis(const std::vector<Tensor<1, 3>> &normals)
     {
@@ -140,7 +152,9 @@ namespace Signorini
       return Tensor<1, 3>({a[0], a[1], a[2]});
     }
 
-    /// Its numbers: two of the axis, two of the center, the radius, the slope; relative to a guess.
+    /// The parameters x of a cylinder or cone, relative to an approximate one: two of the rotation
+    /// of the axis, two of the shift of the centre across the axis, the radius, and for cones the
+    /// slope. `first`, `second` and `axis` are an orthogonal basis.
     struct Round
     {
       Point<3>     center;
@@ -161,6 +175,8 @@ namespace Signorini
         second = cross_product_3d(axis, first);
       }
 
+      /// @return the surface with the parameters x, of which there are five (cylinder) or six
+      /// (cone).
       FittedSurface<3>
       at(const Eigen::VectorXd &x) const
       {
@@ -170,6 +186,9 @@ namespace Signorini
       }
     };
 
+    /// @return for each point its radial distance from the surface, positive outside. For a cone it
+    /// is taken at constant height, not normal to the surface, so that it is larger than the
+    /// distance by the factor sqrt(1 + slope^2).
     Eigen::VectorXd
     deviations(const FittedSurface<3> &surface, const std::vector<Point<3>> &points)
     {
@@ -183,7 +202,11 @@ namespace Signorini
       return r;
     }
 
-    /// By Gauss and Newton.
+    /// @return the cylinder (five parameters) or cone (six) that minimises the sum of the squares
+    /// of the deviations, by the Gauss-Newton method with finite-difference derivatives. The
+    /// iteration ends if the change of the parameters is of the size of rounding, if the
+    /// least-squares system has no finite solution, or after 30 steps; the caller checks the result
+    /// against its tolerance.
     FittedSurface<3>
     round_through(const std::vector<Point<3>> &points, const Round &guess, Eigen::VectorXd x)
     {
@@ -208,6 +231,8 @@ namespace Signorini
       return guess.at(x);
     }
 
+    /// @return the largest distance of the points from the surface; infinite if the fit has failed
+    /// (NaN).
     template <int dim>
     double
     largest_distance(const FittedSurface<dim> &surface, const std::vector<Point<dim>> &points)
@@ -222,6 +247,8 @@ namespace Signorini
       return largest;
     }
 
+    /// @return the cylinder, or else the cone, that is no farther than the tolerance from all
+    /// points; none if neither is. Points and tolerance are in the units of the cloud.
     std::optional<FittedSurface<3>>
     fit_round(const PointCloud<3>             &cloud,
               const std::vector<Tensor<1, 3>> &normals,
@@ -229,7 +256,8 @@ namespace Signorini
     {
       const Tensor<1, 3> axis = guess_of_axis(normals);
       const Round        flat({}, axis);
-      // The circle of the projected points.
+      // The first guess is a cylinder: the circle through the points projected onto the plane
+      // normal to the axis.
       std::vector<Point<2>> projected;
       for (const Point<3> &p : cloud.points)
         projected.emplace_back(p * flat.first, p * flat.second);
@@ -238,6 +266,8 @@ namespace Signorini
                         axis);
       Eigen::VectorXd x = Eigen::VectorXd::Zero(5);
       x(4)              = circle.radius;
+      // A cylinder is tried before a cone, which has one parameter more. Both start from the same
+      // guess.
       for (const unsigned int n : {5, 6})
         {
           x.conservativeResizeLike(Eigen::VectorXd::Zero(n));
@@ -251,6 +281,8 @@ namespace Signorini
 
 
 
+  // In the order of increasing numbers of parameters: circle or sphere, cylinder, cone. Surfaces
+  // with a radius of more than 1e4 times the extent of the points are flat for all purposes.
   template <int dim>
   std::optional<FittedSurface<dim>>
   fit_surface(const std::vector<Point<dim>>     &points,

@@ -26,7 +26,8 @@ namespace Signorini
       return result;
     }
 
-    /// The plane normal to `up`, along the directions in which the points spread most and least.
+    /// @return an orthonormal basis of the plane normal to `up`, along the principal axes of the
+    /// projected points, with the direction of the largest extent last.
     template <int dim>
     Eigen::Matrix<double, dim, dim - 1>
     plane_of(const std::vector<Tensor<1, dim>> &arms, const Tensor<1, dim> &up)
@@ -39,12 +40,13 @@ namespace Signorini
           const auto flat = (eigen(arm) - (arm * up) * n).eval();
           spread += flat * flat.transpose();
         }
-      // The normal gets the least eigenvalue.
+      // A large negative multiple of n n^T makes the normal the eigenvector of the smallest
+      // eigenvalue, so that the others span the plane.
       spread -= spread.trace() * n * n.transpose();
       return eigenpairs_of_symmetric(spread).vectors.rightCols(dim - 1);
     }
 
-    /// All up to a degree, from that of degree 0 on.
+    /// @return all monomials of x up to a total degree, in the order of their degrees.
     template <int dim>
     std::vector<double>
     powers(const std::array<double, dim - 1> &x, const unsigned int degree)
@@ -56,6 +58,7 @@ namespace Signorini
       return result;
     }
 
+    /// @return the number of monomials of total degree up to `degree` in dim-1 variables.
     constexpr int
     n_powers(const int dim, const int degree)
     {
@@ -65,6 +68,10 @@ namespace Signorini
 
 
 
+  // Weighted and regularised linear least squares for the coefficients of the height over the plane
+  // normal to `up`. Cubic polynomials are used if there are `spare` points more than coefficients,
+  // otherwise quadratic ones; `fits` is false if there are too few points for these. The surface
+  // passes through the origin if the coefficient of degree 0 is left out.
   template <int dim>
   LocalSurface<dim>::LocalSurface(const std::vector<Tensor<1, dim>> &arms,
                                   const Tensor<1, dim>              &up,
@@ -80,6 +87,8 @@ namespace Signorini
     if (!fits)
       return;
 
+    // Coordinates along the plane are scaled by the extent of the points, so that all monomials are
+    // of order one.
     const auto plane = plane_of(arms, up);
     for (unsigned int e = 0; e < dim - 1; ++e)
       {
@@ -90,15 +99,17 @@ namespace Signorini
           axes[e][d] = plane(d, e) / extent;
       }
 
-    // What the points do not tell, as of two rows of points what is quadratic across, is left to
-    // the terms of lower degree.
+    // Coefficients that the points do not determine (for example those of second degree across two
+    // rows of points) are set to zero by a small Tikhonov term, which prefers terms of lower
+    // degree.
     constexpr std::array<double, 4> damping{{0, 0, 1e-5, 1e-4}};
     Matrix                          A = Matrix::Zero(rows + n, n);
     Vector                          b = Vector::Zero(rows + n);
     for (int i = 0; i < rows; ++i)
       {
-        const auto   place  = place_of(arms[i]);
-        const auto   values = powers<dim>(place, degree);
+        const auto place  = place_of(arms[i]);
+        const auto values = powers<dim>(place, degree);
+        // Near points have more weight, by the inverse of their (scaled) distance.
         const double weight = 1 / (0.1 + std::hypot(place[0], dim == 2 ? 0. : place[dim - 2]));
         for (int j = 0; j < n; ++j)
           A(i, j) = weight * values[j];
@@ -117,6 +128,7 @@ namespace Signorini
       x = solve_least_squares(A, b);
     coefficients.assign(x.data(), x.data() + n);
 
+    // The root mean square of the deviations, with the number of spare points for unbiased scale.
     for (const auto &arm : arms)
       deviation += std::pow(distance(arm), 2) / (rows - (n - through));
     deviation = std::sqrt(deviation);
@@ -124,7 +136,8 @@ namespace Signorini
       normal -= coefficients[1 + e] * axes[e];
     const double length = normal.norm();
     normal /= length;
-    // Of the tangent plane, which is what matters at the distance of a sagitta.
+    // The distance of the tangent plane at the origin. For offsets of the size of a sagitta that is
+    // the distance of the surface.
     offset = coefficients[0] / length;
     fits   = std::isfinite(length) && std::isfinite(deviation);
   }

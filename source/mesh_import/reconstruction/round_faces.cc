@@ -13,6 +13,11 @@ namespace Signorini
     constexpr double largest_deviation_share = 0.01; // of the sagitta, that corners may be off
     constexpr unsigned int max_seeds = 200; // in vain, before a mesh is taken for what it is
 
+    /// Region growing (see find_round_faces()): a few connected faces are the seed, to which a
+    /// surface is fitted; neighbours whose corners are on the surface are added one after the
+    /// other, and the surface is fitted anew whenever the number of faces has doubled. Each face
+    /// belongs to at most one surface, so that the growth of all regions together takes O(n log n)
+    /// for n faces, beside the seeds in vain.
     template <int dim>
     class RoundFaceFinder
     {
@@ -25,6 +30,8 @@ namespace Signorini
         , used(faces.size(), false)
       {}
 
+      // A mesh without round surfaces is not searched to its end: the search stops after
+      // `max_seeds` curved seeds in vain.
       Facets<dim>
       find()
       {
@@ -44,6 +51,8 @@ namespace Signorini
       }
 
     private:
+      /// @return the vertices of these faces, in ascending order and without the inserted ones,
+      /// which need not be on the surface.
       std::vector<unsigned int>
       corners_of(const std::vector<unsigned int> &some) const
       {
@@ -55,7 +64,8 @@ namespace Signorini
         return {corners.begin(), corners.end()};
       }
 
-      /// Faces around one, until there are enough corners to tell one kind from another.
+      /// @return the unused faces around one in order of their distance in the graph, as many as
+      /// are needed to distinguish the kinds of surfaces by their corners.
       std::vector<unsigned int>
       seed_around(const unsigned int first) const
       {
@@ -69,8 +79,9 @@ namespace Signorini
         return some;
       }
 
-      /// Only the normals of the first n, which are near each other: those of opposite faces may be
-      /// of any orientation.
+      /// @return the surface through the corners of these faces, or none. Only the normals of the
+      /// first n faces are used, with signs that agree with that of the first: they are near each
+      /// other, while those of faces on opposite sides would get arbitrary signs.
       std::optional<FittedSurface<dim>>
       fit(const std::vector<unsigned int> &some, const std::size_t n, const double tolerance) const
       {
@@ -86,6 +97,7 @@ namespace Signorini
         return fit_surface(points, normals_there, tolerance);
       }
 
+      /// @return whether all corners of a face are on a surface.
       bool
       lies_on(const unsigned int f, const FittedSurface<dim> &surface, const double tolerance) const
       {
@@ -95,6 +107,8 @@ namespace Signorini
         return true;
       }
 
+      /// @return the faces around the seed that are one round surface, which become used; none if
+      /// no surface fits, or too few corners are on it.
       std::optional<RoundFaces<dim>>
       grow_region(const unsigned int seed)
       {
@@ -117,7 +131,8 @@ namespace Signorini
                   known.insert(n.face);
                   some.push_back(n.face);
                 }
-            // The more corners, the better the surface is known.
+            // With more corners the surface is determined better. It is fitted anew when the number
+            // of faces has doubled, and at the end. The last fit has to succeed.
             const bool is_last = i + 1 == some.size();
             if (some.size() >= 2 * fitted || (is_last && some.size() > fitted))
               {

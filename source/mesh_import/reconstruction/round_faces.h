@@ -6,29 +6,34 @@
 
 namespace Signorini
 {
-  /// Facets that stand for a round surface.
+  /// Facets that approximate a circle, sphere, cylinder or cone.
   template <int dim>
   struct RoundFaces
   {
     FittedSurface<dim>        surface;
-    std::vector<unsigned int> faces;   ///< indices into the list of faces
-    double                    sagitta; ///< largest distance of facets from the surface, about
+    std::vector<unsigned int> faces; ///< indices into the list of faces
+    /// Largest distance [length] of the facets from the surface, estimated from the angles between
+    /// them.
+    double sagitta;
   };
 
-  /// All faces of a list.
+  /// The result of find_round_faces() for all boundary faces of a mesh.
   template <int dim>
   struct Facets
   {
+    /// The surfaces that were recognised; no face is in two of them.
     std::vector<RoundFaces<dim>> round;
-    /// Of each face that is not in there, how far a smooth surface through its corners and those of
-    /// the faces next to it would be from it, about.
+    /// For each face an estimate of its distance [length] from a smooth surface through its corners
+    /// and those of the faces next to it; 0 for faces in `round`.
     std::vector<double> sagitta;
   };
 
-  /// What CAD programs make of circles, spheres, cylinders and cones: facets that meet at small
-  /// angles, with all corners on the surface. Such surfaces may go on smoothly as others, as
-  /// fillets do. Found from seeds of a few facets, which grow as far as corners lie on the surface,
-  /// up to a hundredth of the sagitta of the facets.
+  /// Recognise circles, spheres, cylinders and cones in a boundary that a CAD program or mesh
+  /// generator has approximated by facets: these meet at small angles, and all their corners are on
+  /// the surface. Such surfaces may continue smoothly as others, as fillets do. Regions grow from
+  /// seeds of a few facets, as long as corners are on the fitted surface up to a hundredth of the
+  /// sagitta of the facets.
+  /// @param graph the boundary faces with their neighbours
   template <int dim>
   Facets<dim>
   find_round_faces(const FacetGraph<dim> &graph);

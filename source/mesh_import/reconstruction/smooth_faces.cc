@@ -21,6 +21,9 @@ namespace Signorini
     constexpr double kink              = 15;   // [degrees] between surfaces that meet in an edge
     constexpr double straight          = 1e-4; // [radians] of normals, that make no difference
 
+    /// Reconstructs smooth surfaces (see find_smooth_faces()). A patch is a set of faces that are
+    /// connected in the graph and are all known or all unknown; each pair of vertex and patch has a
+    /// LocalSurface of its own, so that a vertex at a sharp edge has one normal on each side.
     template <int dim>
     class SmoothFaceFinder
     {
@@ -44,9 +47,12 @@ namespace Signorini
           patch_of.push_back(patches.first_of(f));
       }
 
+      // (1) Fit a polynomial at each corner of each patch; (2) move inserted vertices onto the
+      // fitted surfaces; (3) give each curved face whose corners all have a fit four cubic edges.
       SmoothFaces<dim>
       find()
       {
+        /// Fit all pairs of vertex and patch; those of known faces are not needed.
         fit_all();
         SmoothFaces<dim> result;
         result.vertices = graph.vertices;
@@ -80,7 +86,11 @@ namespace Signorini
                 fits[{v, patch_of[f]}] = fit(v, patch_of[f]);
       }
 
-      /// Around a vertex, ring by ring.
+      /// @return the surface at a vertex, fitted to the corners of the patch around it. Rings of
+      /// faces are added until there are LocalSurface::enough corners, or the patch has no more
+      /// faces. If all these faces are in one plane, that is the surface. The fit is rejected if it
+      /// deviates from the corners by more than a quarter of the sagitta of the facets: there is a
+      /// kink or a jump of the curvature.
       LocalSurface<dim>
       fit(const unsigned int v, const unsigned int patch) const
       {
@@ -120,12 +130,15 @@ namespace Signorini
         return result;
       }
 
+      /// @return the surface at vertex v of face f, which is not a known one.
       const LocalSurface<dim> &
       at(const unsigned int v, const unsigned int f) const
       {
         return fits.at({v, patch_of[f]});
       }
 
+      /// @return whether a face becomes curved: all its corners have a fit, and at least one normal
+      /// differs from that of the face.
       bool
       is_smooth(const unsigned int f) const
       {
@@ -142,8 +155,10 @@ namespace Signorini
         return is_curved;
       }
 
-      /// Twice as far as the middle of a face is from what its corners say: at ends of curves the
-      /// error was up to one and a half times that, elsewhere less.
+      /// @return an estimate of the distance [length] of the curved face from the true surface:
+      /// twice the largest distance of its middle from the surfaces fitted at its corners. In
+      /// measurements the error was up to one and a half times that distance at ends of curves, and
+      /// less elsewhere.
       double
       uncertainty_of(const unsigned int f, const CurvedFace<dim> &face) const
       {
@@ -157,14 +172,17 @@ namespace Signorini
         return 2 * result;
       }
 
-      /// Of the surface that a face stands for, if it is one.
+      /// @return the unit normal at vertex v of the surface that face f approximates; that of the
+      /// facet itself if no surface was fitted.
       Tensor<1, dim>
       normal_at(const unsigned int v, const unsigned int f) const
       {
         return !known[f] && at(v, f).fits ? at(v, f).normal : graph.normal(f);
       }
 
-      /// The shortest way of a vertex onto all surfaces that meet there.
+      /// @return the shortest displacement that brings an inserted vertex onto the tangent planes
+      /// of all surfaces that meet there, by minimal-norm least squares of n_i.x = offset_i. Zero
+      /// at vertices of known faces.
       Tensor<1, dim>
       shift(const unsigned int v) const
       {
@@ -186,7 +204,8 @@ namespace Signorini
         if (!any)
           return {};
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-        // Faces that are nearly in one plane shall not push the vertex along it.
+        // Singular values below a tenth of the largest count as zero: faces that are nearly in one
+        // plane must not move the vertex along this plane.
         solver.setThreshold(0.1);
         const Eigen::VectorXd x = solver.compute(A).solve(b);
         Tensor<1, dim>        result;
@@ -195,7 +214,10 @@ namespace Signorini
         return result;
       }
 
-      /// Unit vector along the chord in the surfaces on both sides of an edge.
+      /// @return the unit tangent, at an end of an edge, of the curve in which the surfaces on both
+      /// sides meet. Where they have (nearly) the same normal it is the projection of the chord
+      /// onto the tangent plane; where they meet at an angle of more than 15 degrees it is the
+      /// intersection of both tangent planes.
       Tensor<1, dim>
       tangent(Tensor<1, dim> chord, const Tensor<1, dim> &a, Tensor<1, dim> b) const
       {
@@ -215,6 +237,9 @@ namespace Signorini
         return result / result.norm();
       }
 
+      /// @return the cubic curve from vertex v to w between the faces f and g, with the tangents of
+      /// the surfaces at both ends; a straight line if a tangent deviates from the chord by more
+      /// than 37 degrees, which is more than two facets that are neighbours may differ.
       CubicCurve<dim>
       curve(const unsigned int             v,
             const unsigned int             w,
@@ -225,13 +250,16 @@ namespace Signorini
         const Tensor<1, dim> chord = vertices[w] - vertices[v],
                              start = tangent(chord, normal_at(v, f), normal_at(v, g)),
                              end   = tangent(chord, normal_at(w, f), normal_at(w, g));
-        // What turns more than facets may is no curve.
+        // The directions are compared with a cosine of 0.8.
         const double least = 0.8 * chord.norm();
         if (start * chord < least || end * chord < least)
           return {vertices[v], vertices[w]};
         return {vertices[v], vertices[w], start, end};
       }
 
+      /// @return the edges of a face as CurvedFace expects them: the curve itself in 2D, in 3D the
+      /// two edges along the second coordinate and then the two along the first. Both faces at an
+      /// edge give it the same curve, so that the reconstructed surface is continuous.
       typename CurvedFace<dim>::Edges
       edges_of(const unsigned int                                                    f,
                const std::vector<Point<dim>>                                        &vertices,

@@ -6,30 +6,38 @@
 
 namespace Signorini
 {
-  /// A facet as part of a smooth surface.
+  /// A facet that is replaced by a part of a smooth surface.
   template <int dim>
   struct SmoothFace
   {
-    unsigned int                    face; ///< index into the list of faces
+    unsigned int face; ///< index into the list of faces
+    /// The curved edges, from which CurvedFace interpolates the surface.
     typename CurvedFace<dim>::Edges edges;
-    double uncertainty; ///< how far the surface may be from the true one, about
+    /// Estimated distance [length] of the curved face from the true surface.
+    double uncertainty;
   };
 
-  /// What is smooth among facets.
+  /// The result of find_smooth_faces().
   template <int dim>
   struct SmoothFaces
   {
-    std::vector<SmoothFace<dim>>    faces;
-    std::vector<dealii::Point<dim>> vertices; ///< of the mesh, those made on the surface
+    /// The facets that become curved.
+    std::vector<SmoothFace<dim>> faces;
+    /// All vertices of the mesh; those that were inserted by dividing cells have been moved onto
+    /// the reconstructed surface.
+    std::vector<dealii::Point<dim>> vertices;
   };
 
-  /// Facets with their corners on any smooth surface, such as splines are. At each corner a
-  /// polynomial of third (or second) degree is fitted to those around; where it is as near to them
-  /// as a quarter of the facets' sagitta, it gives the normal. Edges are cubic curves with the
-  /// tangents that follow, so that the distance from the surface is of order four (in the middle of
-  /// faces that are far from parallelograms, a hundredth of the sagitta). Kinks and jumps of the
-  /// curvature do not fit: facets stay facets near them.
-  /// @param known faces whose surface is known, which stay as they are
+  /// Reconstruct facets whose corners are on any smooth surface, such as a spline. At each corner a
+  /// polynomial of third (or second) degree is fitted to the corners around. It determines the
+  /// normal where its deviation from them is at most a quarter of the sagitta of the facets. Edges
+  /// become cubic curves with the tangents that follow from these normals, so that the distance
+  /// from the surface is of order four in the mesh size (in the middle of faces that are far from
+  /// parallelograms, a hundredth of the sagitta). Kinks and jumps of the curvature cannot be
+  /// fitted: the facets near them are kept.
+  /// @param graph the boundary faces with their neighbours
+  /// @param known for each face whether its surface is known already; such faces are not changed
+  /// @return the curved faces and the moved vertices
   template <int dim>
   SmoothFaces<dim>
   find_smooth_faces(const FacetGraph<dim> &graph, const std::vector<bool> &known);

@@ -14,6 +14,8 @@ namespace Signorini
 
   namespace
   {
+    /// @return the faces as sets that are connected at rims where the surface bends by at most
+    /// `angle` degrees.
     template <int dim>
     Connected
     connected(const std::vector<CellData<dim - 1>> &faces,
@@ -25,7 +27,7 @@ namespace Signorini
         for (const auto &rim : rims_of<dim>(faces[f].vertices))
           at_rim[rim].push_back(f);
 
-      // Faces that go on straight lie opposite to each other.
+      // The inward directions of two faces in one plane are opposite, see FacetGraph::join().
       const double limit = std::cos(angle * numbers::PI / 180);
       Connected    sets(faces.size());
       for (const auto &[rim, members] : at_rim)
@@ -39,8 +41,8 @@ namespace Signorini
 
 
 
-    /// Length or area, and center of gravity, so that those of a plane patch do not depend on the
-    /// mesh.
+    /// A line (2D) or a triangle (3D) with its length or area and its centre of gravity. Patches
+    /// are integrated over these, so that the centre of a plane patch does not depend on its mesh.
     template <int dim>
     struct Facet
     {
@@ -50,6 +52,7 @@ namespace Signorini
 
 
 
+    /// @return the line itself, or the two triangles of a quadrilateral.
     template <int dim>
     std::vector<Facet<dim>>
     pieces_of(const CellData<dim - 1> &face, const std::vector<Point<dim>> &vertices)
@@ -70,8 +73,10 @@ namespace Signorini
 
 
 
-    /// Set the center of a patch.
-    /// @return its coordinates and the mean distance from it, in steps well above rounding
+    /// Compute the centre of gravity of a patch.
+    /// @return the key by which patches are sorted: the coordinates of the centre and the mean
+    /// distance from it, in multiples of `step`, which is well above rounding, so that the order is
+    /// reproducible
     template <int dim>
     std::array<long, dim + 1>
     place(SmoothPatch<dim>                     &patch,
@@ -100,6 +105,7 @@ namespace Signorini
 
 
 
+    /// @return the largest distance of a vertex of the faces from the first one.
     template <int dim>
     double
     size_of(const std::vector<CellData<dim - 1>> &faces, const std::vector<Point<dim>> &vertices)

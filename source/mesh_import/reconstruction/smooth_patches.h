@@ -8,17 +8,24 @@
 
 namespace Signorini
 {
-  /// Faces, connected without a kink.
+  /// A set of boundary faces that are connected without a kink.
   template <int dim>
   struct SmoothPatch
   {
-    std::vector<unsigned int> faces;  ///< indices into the list of faces
-    dealii::Point<dim>        center; ///< of gravity
+    /// Indices into the list of faces, in ascending order.
+    std::vector<unsigned int> faces;
+    /// The centre of gravity of the patch.
+    dealii::Point<dim> center;
   };
 
-  /// Divide faces (with vertices in deal.II's order) where they meet at an angle of more than
-  /// `angle` degrees, 0 being flat. The patches come in the order of the first coordinate of their
-  /// centers, then of the second, then of the third, then of their size.
+  /// Divide faces into patches where they meet at more than a feature angle.
+  /// @param faces with vertices in deal.II's order
+  /// @param vertices of the mesh
+  /// @param angle [degrees] between the normals of neighbouring faces above which they are in
+  /// different patches; 0 is flat
+  /// @return the patches in the order of the first coordinate of their centres, then of the second,
+  /// the third, and of their extent: an order that does not depend on the numbers of nodes and
+  /// elements
   template <int dim>
   std::vector<SmoothPatch<dim>>
   smooth_patches(const std::vector<dealii::CellData<dim - 1>> &faces,

@@ -61,7 +61,8 @@ namespace Signorini
 
 
 
-    /// Cells that are so thin that the surface would come near their other side.
+    /// @return whether any of these faces has a cell so thin (sagitta above a fifth of its depth)
+    /// that the curved surface would come close to the opposite side of the cell.
     template <int dim>
     bool
     is_too_thin(const double                          sagitta,
@@ -77,7 +78,7 @@ namespace Signorini
 
 
 
-    /// The names of their boundaries.
+    /// @return the names of the boundaries that have any of these faces, for messages.
     template <int dim>
     std::string
     names_of(const std::vector<unsigned int> &some, const FilePart<dim> &part)
@@ -94,7 +95,8 @@ namespace Signorini
 
 
 
-    /// Give facets that stand for a round surface that for a manifold.
+    /// Give the faces of a round surface, and their lines, the manifold id, and move inserted
+    /// vertices onto the surface. Vertices of the file keep their positions.
     template <int dim>
     void
     assign_manifold(const RoundFaces<dim>      &round,
@@ -114,7 +116,8 @@ namespace Signorini
 
 
 
-    /// The same of one on another smooth surface; lines keep what they have got.
+    /// Give a face on a smooth surface its manifold id. Lines that have one already (of a round
+    /// surface, or of the face that came before, which has the same curve there) keep it.
     template <int dim>
     void
     assign_manifold(const SmoothFace<dim>      &smooth,
@@ -132,10 +135,11 @@ namespace Signorini
 
 
 
-    /// Find facets that stand for surfaces which are not known, give them manifolds from `first`
-    /// on, and move vertices onto them.
-    /// @param facets whose sagitta becomes what is doubtful about the surface
-    /// @return a line about them, or none
+    /// Reconstruct smooth surfaces where no round one was recognised: give each face a manifold of
+    /// its own, with ids from `first` on, and move its vertices onto the surface.
+    /// @param known for each face whether a round surface was recognised
+    /// @param facets whose sagitta becomes the uncertainty of the reconstructed surface
+    /// @return a line for the user, or none
     template <int dim>
     std::vector<std::string>
     smooth_surface(Triangulation<dim>         &triangulation,
@@ -173,7 +177,7 @@ namespace Signorini
 
 
 
-    /// The steepest facet of each boundary.
+    /// @return for each boundary name the facet with the largest ratio of sagitta to its diagonal.
     template <int dim>
     std::vector<FacetHeight>
     steepest(const Facets<dim> &facets, const FilePart<dim> &part)
@@ -195,6 +199,8 @@ namespace Signorini
 
 
 
+  // Round surfaces are recognised first, because their manifolds are exact; what is left may be
+  // smooth. Without `automatic` the facets are only measured.
   template <int dim>
   SurfaceReconstruction
   reconstruct_surfaces(Triangulation<dim>  &triangulation,

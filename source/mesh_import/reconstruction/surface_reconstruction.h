@@ -8,15 +8,23 @@
 
 namespace Signorini
 {
+  /// The result of reconstruct_surfaces().
   struct SurfaceReconstruction
   {
     std::vector<std::string> notes;  ///< a line for each surface that was recognised
     std::vector<FacetHeight> facets; ///< CoarseMesh::facets
   };
 
-  /// Recognise round surfaces in the boundary of a mesh from a file, see find_round_faces().
-  /// @param triangulation of the part; faces get manifolds, and vertices between others are moved
-  /// @param automatic no: facets stay facets
+  /// Replace facets of the boundary of a mesh from a file by curved surfaces: circles, spheres,
+  /// cylinders and cones (see find_round_faces()) and other smooth surfaces (see
+  /// find_smooth_faces()). Every process has the whole coarse mesh and computes the same; nothing
+  /// is communicated.
+  /// @param triangulation of the part, whose faces get manifolds; vertices that were inserted by
+  /// dividing cells are moved
+  /// @param part the part of the file, whose faces and vertices have the numbers of the
+  /// triangulation
+  /// @param automatic false: the facets are kept, and only measured
+  /// @return messages for the user, and the steepest facet of each boundary
   template <int dim>
   SurfaceReconstruction
   reconstruct_surfaces(dealii::Triangulation<dim> &triangulation,
