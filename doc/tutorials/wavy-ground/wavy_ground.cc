@@ -63,7 +63,7 @@ main(int argc, char **argv)
     for (const Signorini::ContactValue<2> &point : result.contact)
       {
         largest = std::max(largest, point.pressure);
-        force += point.pressure * point.area;
+        force += point.pressure * point.area * point.normal[1];
       }
     largest = Utilities::MPI::max(largest, MPI_COMM_WORLD);
     force   = Utilities::MPI::sum(force, MPI_COMM_WORLD);
