@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accuracy/boundary_errors.h"
-
+#include "accuracy/error_parts.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 

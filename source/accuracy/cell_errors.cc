@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accuracy/cell_errors.h"
-
-#include "accuracy/recovered_stress.h"
+#include "accuracy/error_parts.h"
 #include "solid/stress.h"
 
 namespace Signorini

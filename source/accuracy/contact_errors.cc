@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accuracy/contact_errors.h"
-
+#include "accuracy/error_parts.h"
 #include "contact/constraints/gap_increments.h"
 #include "fields/nodal_fields.h"
 #include "fields/point_values.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/error_estimate.h"
 
-#include "accuracy/boundary_errors.h"
-#include "accuracy/contact_errors.h"
+#include "accuracy/error_parts.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "accuracy/cell_errors.h"
 #include "accuracy/error_history.h"
+#include "accuracy/error_parts.h"
 #include "accuracy/quantity.h"
 #include "solver/dual_solution.h"
 

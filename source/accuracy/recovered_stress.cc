@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accuracy/recovered_stress.h"
-
+#include "accuracy/error_parts.h"
 #include "linear_algebra/dense.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/automatic_pairs.h"
-
 #include "contact/search/deep_penetration.h"
 #include "contact/search/find_pairs.h"
 #include "driver/contact_interfaces.h"
+#include "driver/scene_setup.h"
 
 #include <algorithm>
 

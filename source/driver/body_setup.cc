@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/body_setup.h"
+#include "driver/scene_setup.h"
 
 namespace Signorini
 {

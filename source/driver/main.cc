@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/import_deck.h"
-#include "scene/reference.h"
-#include "scene/template.h"
+#include "scene/documentation.h"
 #include <signorini/driver/run_scene.h>
 #include <signorini/parameters/raw.h>
 

@@ -3,8 +3,7 @@
 
 #include "accuracy/p_refinement.h"
 #include "accuracy/refinement.h"
-#include "driver/automatic_pairs.h"
-#include "driver/body_setup.h"
+#include "driver/scene_setup.h"
 #include "materials/material_law.h"
 #include "solid/deformation_change.h"
 #include <signorini/base/text.h>

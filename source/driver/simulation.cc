@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/simulation.h"
 
-#include "driver/automatic_pairs.h"
-#include "driver/body_setup.h"
+#include "driver/scene_setup.h"
 #include "output/accuracy_results.h"
 #include "output/directory.h"
 #include "output/preflight.h"

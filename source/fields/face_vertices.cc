@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fields/face_vertices.h"
-
+#include "fields/recovery_steps.h"
 #include "geometry/lagrange.h"
 
 #include <cmath>

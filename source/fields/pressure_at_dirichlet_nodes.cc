@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fields/pressure_at_dirichlet_nodes.h"
-
 #include "fields/nodal_fields.h"
+#include "fields/recovery_steps.h"
 #include "fields/surface_parts.h"
 
 #include <algorithm>

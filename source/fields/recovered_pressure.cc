@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/recovered_pressure.h"
 
-#include "fields/face_vertices.h"
 #include "fields/nodal_fields.h"
-#include "fields/pressure_at_dirichlet_nodes.h"
+#include "fields/recovery_steps.h"
 #include "fields/surface_gradient.h"
-#include "fields/surface_stretch.h"
 #include "geometry/lagrange.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/curved_face.h"
+#include "geometry/manifolds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/quadratic_manifold.h"
+#include "geometry/manifolds.h"
 
 #include <deal.II/base/utilities.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/round_manifold.h"
+#include "geometry/manifolds.h"
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/grid/manifold_lib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "materials/hencky.h"
+#include "materials/stored_energies.h"
 
 namespace Signorini
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "matrix_free/tangent_batches.h"
+#include "matrix_free/batches.h"
 
 #include <algorithm>
 

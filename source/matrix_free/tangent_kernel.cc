@@ -3,8 +3,8 @@
 
 #include "matrix_free/tangent_kernel.h"
 
+#include "matrix_free/batches.h"
 #include "matrix_free/instruction_sets.h"
-#include "matrix_free/tangent_batches.h"
 #include "matrix_free/targets.h"
 
 #undef HWY_TARGET_INCLUDE

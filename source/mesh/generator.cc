@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/generators/box.h"
-#include "mesh/generators/disc.h"
 #include "mesh/generators/file.h"
-#include "mesh/generators/ring.h"
-#include "mesh/generators/shell.h"
-#include "mesh/generators/sphere.h"
-#include <signorini/mesh/generator.h>
+#include "mesh/generators/generators.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -17,21 +12,19 @@ namespace Signorini
 
   namespace
   {
-    /// A function that creates a generator.
     template <int dim>
     using Maker = std::unique_ptr<MeshGenerator<dim>> (*)();
 
-    template <int dim, typename Generator>
+    template <int dim>
     std::unique_ptr<MeshGenerator<dim>>
-    make()
+    make_file()
     {
-      return std::make_unique<Generator>();
+      return std::make_unique<FileMesh<dim>>();
     }
 
     template <int dim>
     using Registry = std::vector<std::pair<std::string, Maker<dim>>>;
 
-    /// @return the registry: names of generators with their makers.
     template <int dim>
     Registry<dim>
     registry();
@@ -40,21 +33,21 @@ namespace Signorini
     Registry<2>
     registry<2>()
     {
-      return {{"box", make<2, BoxMesh<2>>},
-              {"disc", make<2, DiscMesh>},
-              {"ring", make<2, RingMesh<2>>},
-              {"file", make<2, FileMesh<2>>}};
+      return {{"box", make_box<2>},
+              {"disc", make_disc},
+              {"ring", make_ring<2>},
+              {"file", make_file<2>}};
     }
 
     template <>
     Registry<3>
     registry<3>()
     {
-      return {{"box", make<3, BoxMesh<3>>},
-              {"ring", make<3, RingMesh<3>>},
-              {"sphere", make<3, SphereMesh>},
-              {"shell", make<3, ShellMesh>},
-              {"file", make<3, FileMesh<3>>}};
+      return {{"box", make_box<3>},
+              {"ring", make_ring<3>},
+              {"sphere", make_sphere},
+              {"shell", make_shell},
+              {"file", make_file<3>}};
     }
   } // namespace
 

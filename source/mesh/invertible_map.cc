@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/invertible_map.h"
-
+#include "mesh/transformed_manifold.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

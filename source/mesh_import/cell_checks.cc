@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/cell_checks.h"
-
 #include "mesh_import/cells.h"
+#include "mesh_import/file_part_steps.h"
 #include <signorini/parameters/raw.h>
 
 namespace Signorini

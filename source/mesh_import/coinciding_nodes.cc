@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/coinciding_nodes.h"
-
 #include "mesh_import/cells.h"
+#include "mesh_import/file_part_steps.h"
 #include "mesh_import/pieces.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/curved_boundary.h"
 
-#include "geometry/round_manifold.h"
+#include "geometry/manifolds.h"
 #include <signorini/parameters/section.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/curved_cells.h"
-
-#include "geometry/quadratic_manifold.h"
+#include "geometry/manifolds.h"
 #include "mesh_import/cells.h"
+#include "mesh_import/import_steps.h"
 #include <signorini/parameters/raw.h>
 
 namespace Signorini

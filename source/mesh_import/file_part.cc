@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/file_part.h"
 
-#include "mesh_import/cell_checks.h"
 #include "mesh_import/cells.h"
-#include "mesh_import/coinciding_nodes.h"
 #include "mesh_import/division/centers.h"
-#include "mesh_import/face_names.h"
+#include "mesh_import/file_part_steps.h"
 #include "mesh_import/pieces.h"
-#include "mesh_import/reconstruction/smooth_patches.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>

@@ -2,9 +2,7 @@
 #include "mesh_import/mesh_file.h"
 
 #include "mesh_import/formats/abaqus.h"
-#include "mesh_import/formats/gmsh.h"
-#include "mesh_import/formats/vtk.h"
-#include "mesh_import/formats/vtu.h"
+#include "mesh_import/formats/readers.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 

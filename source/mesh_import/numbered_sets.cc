@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/numbered_sets.h"
-
 #include "mesh_import/formats/abaqus_elements.h"
 #include "mesh_import/formats/keyword_file.h"
+#include "mesh_import/import_steps.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "multigrid/level_tangents.h"
+#include "multigrid/levels.h"
 
 #include <deal.II/base/mpi.h>
 

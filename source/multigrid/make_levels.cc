@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "multigrid/make_levels.h"
-
 #include "linear_algebra/diagonal.h"
 #include "matrix_free/cell_operator.h"
+#include "multigrid/levels.h"
 #include "multigrid/linear_space.h"
-#include "multigrid/mesh_levels.h"
 #include "solid/rigid_body_modes.h"
 
 namespace Signorini

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "multigrid/mesh_levels.h"
-
 #include "matrix_free/cell_operator.h"
 #include "multigrid/interpolation_transfer.h"
-#include "multigrid/level_tangents.h"
-#include "multigrid/level_vertices.h"
+#include "multigrid/levels.h"
 #include "multigrid/linear_space.h"
 
 #include <algorithm>

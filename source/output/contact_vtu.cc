@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/contact_vtu.h"
-
 #include "fields/nodal_fields.h"
 #include "fields/recovered_pressure.h"
+#include "output/files.h"
 #include "output/pieces.h"
 
 #include <deal.II/base/quadrature.h>

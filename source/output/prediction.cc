@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/prediction.h"
-
 #include "matrix_free/make_stiffness.h"
+#include "output/preflight.h"
 #include "solid/kernel.h"
 
 #include <deal.II/base/utilities.h>

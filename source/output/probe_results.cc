@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/probe_results.h"
-
 #include "fields/surface_probes.h"
+#include "output/results.h"
 
 #include <array>
 #include <cmath>

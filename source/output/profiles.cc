@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/profiles.h"
-
 #include "fields/recovered_pressure.h"
 #include "output/directory.h"
+#include "output/files.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -3,9 +3,8 @@
 
 #include "accuracy/error_control.h"
 #include "output/directory.h"
-#include "output/probe_results.h"
+#include "output/files.h"
 #include "output/results.h"
-#include "output/writer.h"
 #include "scene/decisions.h"
 #include "solver/linear_reference.h"
 #include "solver/newton_report.h"

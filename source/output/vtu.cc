@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/vtu.h"
-
+#include "output/files.h"
 #include "output/pieces.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>

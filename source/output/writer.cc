@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/writer.h"
-
-#include "output/contact_vtu.h"
-#include "output/profiles.h"
-#include "output/vtu.h"
+#include "output/files.h"
 
 #include <filesystem>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/reference.h"
-
 #include "contact/obstacles/shapes.h"
 #include "scene/descriptions.h"
+#include "scene/documentation.h"
 #include "solver/preconditioner.h"
 #include "solver/preconditioners/schur_complement.h"
 #include <signorini/parameters/section.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/template.h"
-
 #include "contact/obstacles/shapes.h"
+#include "scene/documentation.h"
 #include "solver/preconditioner.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "materials/saint_venant_kirchhoff.h"
+#include "materials/stored_energies.h"
 #include <signorini/materials/material.h>
 #include <signorini/solid/model.h>
 

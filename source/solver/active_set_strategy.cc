@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/active_set_strategy.h"
+#include "solver/active_set.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/line_search.h"
+#include "solver/step_control.h"
 
 #include <cmath>
 

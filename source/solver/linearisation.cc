@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/linearisation.h"
-
 #include "linear_algebra/diagonal.h"
 #include "matrix_free/tangent_stiffness.h"
 #include "solid/cell_nodes.h"
 #include "solver/folded_cells.h"
+#include "solver/nonlinear_solid.h"
 
 namespace Signorini
 {

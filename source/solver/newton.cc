@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/newton.h"
 
-#include "solver/line_search.h"
-#include "solver/step_length.h"
+#include "solver/step_control.h"
 #include <signorini/base/text.h>
 
 #include <cmath>

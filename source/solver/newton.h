@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/laws/contact_state.h"
-#include "solver/active_set_strategy.h"
+#include "solver/active_set.h"
 #include "solver/convergence_criteria.h"
 #include "solver/dual_solution.h"
 #include "solver/linear_solver.h"

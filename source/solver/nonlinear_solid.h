@@ -1,16 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "solver/linearisation.h"
+#include "solid/deformation_kernel.h"
+#include "solid/elasticity.h"
+#include "solid/pressure_kernel.h"
+#include "solid/stiffness.h"
 #include "solver/solid_residual.h"
 #include "solver/volume_constraint.h"
 
 #include <deal.II/base/timer.h>
 
 #include <functional>
+#include <memory>
 
 namespace Signorini
 {
+  /// The tangent stiffness of solids at finite strain, including follower pressures, as a
+  /// Stiffness.
+  template <int dim>
+  class Linearisation
+  {
+  public:
+    /// Keeps references to all arguments but the form. Collective.
+    static std::unique_ptr<Linearisation>
+    create(StiffnessForm           form,
+           Elasticity<dim>        &elasticity,
+           DeformationKernel<dim> &kernel,
+           PressureKernel<dim>    &pressures);
+
+    virtual ~Linearisation() = default;
+
+    /// Linearise at u. Throws SolverFailure where cells are inverted; then the stiffness is
+    /// undefined. Collective.
+    /// @param u with ghosts, satisfies the constraints
+    virtual void
+    linearise(const LA::Vector &u) = 0;
+
+    /// The tangent stiffness at the last linearise(); before, that of the undeformed bodies.
+    virtual const Stiffness &
+    stiffness() const = 0;
+  };
+
   /// Solids whose constitutive laws are not all linear elasticity: F(u) = int P(u) : Grad v dV,
   /// minus follower pressures on bodies at finite strain.
   template <int dim>

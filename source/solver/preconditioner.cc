@@ -2,8 +2,7 @@
 #include "solver/preconditioner.h"
 
 #include "solver/linear_solver.h"
-#include "solver/preconditioners/block.h"
-#include "solver/preconditioners/direct.h"
+#include "solver/preconditioners/factorised.h"
 #include "solver/preconditioners/interface_multigrid.h"
 
 #include <deal.II/base/exceptions.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/solid_hierarchy.h"
 
-#include "multigrid/make_levels.h"
+#include "multigrid/levels.h"
 #include "solid/rigid_body_modes.h"
 
 namespace Signorini

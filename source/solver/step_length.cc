@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/step_length.h"
-
 #include "base/interruption.h"
+#include "solver/step_control.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verdict/monitored_surfaces.h"
-
 #include "contact/constraints/inactive_pairs.h"
+#include "verdict/undetected_penetration.h"
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verdict/penetration_candidates.h"
-
 #include "geometry/cell_size.h"
 #include "solid/cell_nodes.h"
+#include "verdict/undetected_penetration.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verdict/symmetry_planes.h"
-
 #include "contact/search/boundary_faces.h"
+#include "verdict/undetected_penetration.h"
 
 #include <cmath>
 

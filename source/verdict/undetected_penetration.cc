@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "verdict/undetected_penetration.h"
+
 #include "contact/search/boundary_faces.h"
 #include "contact/search/deep_penetration.h"
 #include "contact/search/search.h"
 #include "contact/search/search_radius.h"
 #include "contact/search/self_contact.h"
 #include "verdict/checks.h"
-#include "verdict/penetration_candidates.h"
-#include "verdict/symmetry_planes.h"
 #include <signorini/base/text.h>
 
 #include <deal.II/base/quadrature_lib.h>

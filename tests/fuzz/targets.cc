@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "targets.h"
 
-#include "contact/obstacles/stl_file.h"
+#include "contact/obstacles/triangle_surface.h"
 #include "mesh/mesh.h"
 #include "mesh_import/decks/import_deck.h"
 #include "parameters/compiled_formula.h"
-#include "scene/template.h"
+#include "scene/documentation.h"
 #include <signorini/driver/run_scene.h>
 #include <signorini/parameters/section.h>
 

@@ -2,8 +2,7 @@
 // What the program prints without solving, and scenes as they are read.
 
 #include "contact/obstacles/shapes.h"
-#include "scene/reference.h"
-#include "scene/template.h"
+#include "scene/documentation.h"
 #include "solver/preconditioner.h"
 #include <signorini/base/text.h>
 #include <signorini/driver/run_scene.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/division/hex_subdivision.h"
+#include "mesh_import/import_steps.h"
 
 #include <deal.II/base/tensor.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recovered stresses, the errors of quantities, and the bars that are made of them.
 
-#include "accuracy/cell_errors.h"
 #include "accuracy/error_control.h"
+#include "accuracy/error_parts.h"
 
 #include <doctest/doctest.h>
 

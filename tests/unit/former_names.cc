@@ -3,8 +3,8 @@
 // more.
 
 #include "contact/obstacles/shapes.h"
+#include "scene/documentation.h"
 #include "scene/former_entries.h"
-#include "scene/template.h"
 #include <signorini/mesh/generator.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/scene.h>

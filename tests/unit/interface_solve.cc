@@ -4,7 +4,7 @@
 #include "contact/laws/normal_contact.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/linear_solver.h"
-#include "solver/preconditioners/block.h"
+#include "solver/preconditioners/factorised.h"
 
 #include <doctest/doctest.h>
 

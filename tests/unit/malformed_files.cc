@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/obstacles/stl_file.h"
+#include "contact/obstacles/triangle_surface.h"
 #include "mesh_import/mesh_file.h"
 #include "parameters/values.h"
 #include <signorini/parameters/raw.h>

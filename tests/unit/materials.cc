@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stored energies of large deformation: what they exert against what they store.
 
-#include "materials/hencky.h"
-#include "materials/mooney_rivlin.h"
-#include "materials/neo_hooke.h"
-#include "materials/ogden.h"
-#include "materials/polynomial.h"
-#include "materials/saint_venant_kirchhoff.h"
-#include "materials/yeoh.h"
+#include "materials/stored_energies.h"
 
 #include <doctest/doctest.h>
 

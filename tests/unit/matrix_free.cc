@@ -7,7 +7,7 @@
 #include "linear_algebra/values.h"
 #include "matrix_free/cell_stiffness.h"
 #include "matrix_free/instruction_sets.h"
-#include "multigrid/make_levels.h"
+#include "multigrid/levels.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/preconditioners/amg.h"
 

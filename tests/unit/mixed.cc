@@ -2,7 +2,7 @@
 // Bodies with a volumetric stress of their own: its functions, the derivatives of its equations,
 // and that the pair is stable.
 
-#include "driver/body_setup.h"
+#include "driver/scene_setup.h"
 #include "linear_algebra/direct_solver.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/nonlinear_solid.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facets that stand for circles, spheres, cylinders and cones are recognised as these, others are
 // not.
-#include "mesh_import/reconstruction/round_faces.h"
+#include "mesh_import/reconstruction/curved_faces.h"
 
 #include <doctest/doctest.h>
 

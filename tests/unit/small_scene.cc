@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "small_scene.h"
 
-#include "driver/body_setup.h"
+#include "driver/scene_setup.h"
 #include "solid/cell_nodes.h"
 #include "solid/rigid_body_modes.h"
 #include <signorini/parameters/section.h>

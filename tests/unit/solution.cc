@@ -3,7 +3,7 @@
 // must not change them: the form of the linear system, and units.
 
 #include "contact/laws/normal_contact.h"
-#include "solver/preconditioners/direct.h"
+#include "solver/preconditioners/factorised.h"
 
 #include <doctest/doctest.h>
 

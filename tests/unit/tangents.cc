@@ -4,7 +4,7 @@
 
 #include "matrix_free/instruction_sets.h"
 #include "matrix_free/tangent_stiffness.h"
-#include "multigrid/make_levels.h"
+#include "multigrid/levels.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/nonlinear_solid.h"
 

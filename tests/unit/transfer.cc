@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is carried over from mesh to mesh and from run to run, and where meshes are refined.
 
-#include "accuracy/cell_errors.h"
+#include "accuracy/error_parts.h"
 #include "accuracy/p_refinement.h"
 #include "accuracy/refinement.h"
 #include "checkpoint/cells.h"
-#include "driver/body_setup.h"
+#include "driver/scene_setup.h"
 #include "driver/state.h"
 #include "solid/cell_nodes.h"
 

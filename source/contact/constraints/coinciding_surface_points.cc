@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/constraints/coinciding_surface_points.h"
+#include "contact/constraints/condensed_columns.h"
 
 #include <cmath>
 #include <map>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/gap_operator.h"
 
-#include "contact/constraints/coinciding_surface_points.h"
 #include "contact/constraints/condensed_columns.h"
 #include "contact/constraints/contact_rows.h"
 #include "contact/constraints/tangents.h"
-#include "contact/traction/face_matrices.h"
-#include "contact/traction/field_stress.h"
+#include "contact/traction/normal_stress.h"
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/entries.h"
 #include "linear_algebra/sparsity_pattern.h"

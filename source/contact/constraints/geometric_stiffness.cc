@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/geometric_stiffness.h"
 
-#include "contact/constraints/loaded_points.h"
 #include "linear_algebra/ghost_exchange.h"
 #include "linear_algebra/values.h"
 

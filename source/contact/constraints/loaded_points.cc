@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/constraints/loaded_points.h"
-
+#include "contact/constraints/geometric_stiffness.h"
 #include "contact/constraints/tangents.h"
 
 #include <deal.II/lac/full_matrix.h>
@@ -323,6 +322,8 @@ namespace Signorini
             if ((force == 0 && T.norm_square() == 0) || point.second_variation.factors.empty())
               continue;
             result.push_back(pressed(point.slave, point.master, n, point.second_variation, force));
+            // The second variation against obstacles has other factors, see GapSecondVariation.
+            AssertThrow(T.norm_square() == 0 || !point.master.empty(), ExcNotImplemented());
             if (T.norm_square() > 0)
               add_tangential(T, n, point.second_variation, surface.frames[q], result.back());
           }

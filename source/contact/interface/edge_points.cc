@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/edge_points.h"
-
 #include "contact/constraints/trace.h"
+#include "contact/interface/surface_steps.h"
 
 namespace Signorini
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/master_faces.h"
-
 #include "contact/constraints/gap_second_variation.h"
+#include "contact/interface/surface_steps.h"
 #include "contact/traction/stress_bounds.h"
 
 #include <memory>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/obstacle_points.h"
-
 #include "contact/constraints/gap_second_variation.h"
 #include "contact/constraints/trace.h"
+#include "contact/interface/surface_steps.h"
 
 #include <algorithm>
 #include <cmath>

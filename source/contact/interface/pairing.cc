@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/segment_pairs.h"
-#include "contact/interface/spurious_penetrations.h"
+#include "contact/interface/pairing.h"
+
 #include "contact/search/self_contact.h"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -141,4 +141,37 @@ namespace Signorini
   keep_near_faces(const std::vector<FacePatch<dim>> &slave,
                   double                             limit,
                   std::vector<PairedPoint<dim>>     &points);
+
+  /// Make integration points on the segments, the common parts of slave and master faces. Slave
+  /// faces are sent to the ranks whose master faces may be near, and points are sent back. In the
+  /// result, the points of one slave face need not be adjacent, and faces may be covered more than
+  /// once. Collective.
+  /// @param slave faces of this rank
+  /// @param limit search radius [length]
+  template <int dim>
+  Pairing<dim>
+  pair_by_segments(const SlaveSide<dim>   &slave,
+                   const MasterFaces<dim> &master,
+                   const Integration      &integration,
+                   double                  limit,
+                   MPI_Comm                comm,
+                   SearchStatistics       &statistics);
+
+  /// Remove points that lie behind their projection without penetrating its body.
+  ///
+  /// A point behind a face that faces it penetrates the body if it is inside, and if that face is
+  /// on the shortest way out: a penetration is resolved along its smallest depth. Counter-examples:
+  /// beyond a plate, points lie behind its other side; of two blocks with a small overlap, the left
+  /// side of one lies behind the right side of the other, by the width of both. The criterion is
+  /// that the distance to the closest point of the surface is about that to the projection. Near
+  /// edges that fails, and points follow the others of the same direction.
+  ///
+  /// Collective.
+  template <int dim>
+  void
+  drop_spurious_penetrations(const std::vector<FacePatch<dim>> &slave,
+                             const MasterFaces<dim>            &master,
+                             MPI_Comm                           comm,
+                             SearchStatistics                  &statistics,
+                             std::vector<PairedPoint<dim>>     &points);
 } // namespace Signorini

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/reference_gaps.h"
-
 #include "contact/interface/contact_points.h"
+#include "contact/interface/surface_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/segment_pairs.h"
-
 #include "contact/constraints/gap_second_variation.h"
+#include "contact/interface/pairing.h"
 #include "contact/search/descent.h"
 #include "contact/search/local_faces.h"
 #include "contact/search/segments.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/slave_faces.h"
+#include "contact/interface/surface_steps.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/spurious_penetrations.h"
+#include "contact/interface/pairing.h"
 
 #include <deal.II/base/utilities.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/surface.h"
 
-#include "contact/interface/single_pass_surface.h"
+#include "contact/interface/surface_steps.h"
 #include <signorini/contact/methods/method.h>
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/interface/surface_comparison.h"
+#include "contact/interface/surface_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,59 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/methods/augmented_lagrangian.h"
-
+#include "contact/methods/methods.h"
+#include "contact/methods/penalty_factor.h"
 #include <signorini/parameters/section.h>
 
 namespace Signorini
 {
+  /// Augmented Lagrangian method (doc/theory, 2.4) in two forms. Uzawa: a sequence of penalty
+  /// solutions p = max(0, p^ - eps g), each of which starts from the pressure p^ of the one before,
+  /// until the gap weighted at the slave nodes is closed; systems without multipliers. The gap
+  /// falls by about 1/(1 + Factor) each time. Newton: displacement and pressure at once, from p =
+  /// max(0, p - eps g) (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375). The
+  /// result of both is that of the Lagrange multiplier method.
+  class AugmentedLagrangian : public ContactMethod
+  {
+  public:
+    enum class Loop
+    {
+      Uzawa, ///< penalty solutions one after the other
+      Newton ///< displacement and pressure at once
+    };
+
+    void
+    declare(Section &section) override;
+
+    Sampling
+    sampling() const override
+    {
+      return Sampling::nodes;
+    }
+
+    PressureShift
+    pressure_shift() const override
+    {
+      return loop == Loop::Newton ? PressureShift::multiplier : PressureShift::last_pressure;
+    }
+
+    bool
+    has_multipliers() const override
+    {
+      return loop == Loop::Newton;
+    }
+
+    double
+    penalty(const PenaltyScale &scale) const override
+    {
+      return penalty_factor.of(scale);
+    }
+
+  private:
+    PenaltyFactor penalty_factor;
+    Loop          loop = Loop::Uzawa;
+  };
+
+
+
   void
   AugmentedLagrangian::declare(Section &section)
   {
@@ -17,5 +66,13 @@ namespace Signorini
       loop,
       {{"Uzawa", Loop::Uzawa}, {"Newton", Loop::Newton}},
       "Uzawa: a sequence of penalty solutions with updates of the multiplier; Newton: displacement and multiplier are solved simultaneously");
+  }
+
+
+
+  std::shared_ptr<ContactMethod>
+  make_augmented_lagrangian()
+  {
+    return std::make_shared<AugmentedLagrangian>();
   }
 } // namespace Signorini

@@ -1,12 +1,76 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/methods/penalty.h"
-
+#include "contact/methods/methods.h"
+#include "contact/methods/penalty_factor.h"
 #include <signorini/parameters/section.h>
 
 #include <cmath>
 
 namespace Signorini
 {
+  /// Penalty method (doc/theory, 2.2): p = max(0, -eps g). Bodies penetrate by p/eps.
+  class Penalty : public ContactMethod
+  {
+  public:
+    /// Which gap is penalised.
+    enum class Weighting
+    {
+      mortar,   ///< that weighted at the slave nodes
+      pointwise ///< that at each quadrature point
+    };
+
+    void
+    declare(Section &section) override;
+
+    Sampling
+    sampling() const override
+    {
+      return weighting == Weighting::mortar ? Sampling::nodes : Sampling::quadrature_points;
+    }
+
+    PressureShift
+    pressure_shift() const override
+    {
+      return PressureShift::none;
+    }
+
+    bool
+    has_multipliers() const override
+    {
+      return false;
+    }
+
+    /// eps = Factor E/h (L/h)^Growth, with the size L of the scene; or Stiffness.
+    double
+    penalty(const PenaltyScale &scale) const override;
+
+    /// Segments, if the displacement can follow: by few points of faces that do not match,
+    /// pressures swing more than by many, the more so beside hanging nodes.
+    Rule
+    usual_integration() const override
+    {
+      return weighting == Weighting::mortar || is_low_penalty() ? Rule::segments : Rule::quadrature;
+    }
+
+    void
+    check(const Integration &integration, unsigned int degree) const override;
+
+
+  private:
+    /// Soft enough for more points of a face than it has nodes.
+    bool
+    is_low_penalty() const
+    {
+      constexpr double largest = 10; // peaks of 3 % seen with it in Hertz contact, 8 % with 30
+      return !penalty_factor.is_absolute() && penalty_factor.factor <= largest;
+    }
+
+    PenaltyFactor penalty_factor;
+    double        growth    = 0;
+    Weighting     weighting = Weighting::mortar;
+  };
+
+
+
   void
   Penalty::declare(Section &section)
   {
@@ -55,5 +119,13 @@ namespace Signorini
         (segments ? "" : ", Quadrature points = " + std::to_string(integration.n_points)) +
         " with Weighting = pointwise over-constrains the faces: with a Factor above 10 or a Stiffness the "
         "pressure would oscillate; set Weighting = mortar, or Integration = quadrature with Quadrature points = 0");
+  }
+
+
+
+  std::shared_ptr<ContactMethod>
+  make_penalty()
+  {
+    return std::make_shared<Penalty>();
   }
 } // namespace Signorini

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/obstacles/shapes.h"
-#include "contact/obstacles/stl_file.h"
+#include "contact/obstacles/triangle_surface.h"
 #include "mesh/generators/file.h"
 #include <signorini/parameters/section.h>
 

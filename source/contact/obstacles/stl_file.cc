@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/obstacles/stl_file.h"
-
+#include "contact/obstacles/triangle_surface.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 

@@ -65,4 +65,10 @@ namespace Signorini
     dealii::BoundingBox<3>                   box;
     dealii::RTree<Entry>                     tree;
   };
+
+  /// Read an STL file, as text or binary. Vertices at equal positions are merged. The normals in
+  /// the file are ignored: the order of the vertices determines the outer side. Throws SceneError
+  /// with the name of the file.
+  Triangles
+  read_stl(const std::string &file_name);
 } // namespace Signorini

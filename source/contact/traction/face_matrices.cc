@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/traction/face_matrices.h"
+#include "contact/traction/normal_stress.h"
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/traction/field_stress.h"
-
+#include "contact/traction/normal_stress.h"
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/sparsity_pattern.h"
 

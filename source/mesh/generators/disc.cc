@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/generators/disc.h"
-
-#include "geometry/round_manifold.h"
+#include "geometry/manifolds.h"
 #include "mesh/generators/circle_part.h"
+#include "mesh/generators/generators.h"
+#include "mesh/generators/named_surface.h"
 #include "mesh/generators/octants.h"
 #include <signorini/parameters/section.h>
 
@@ -12,6 +12,37 @@
 namespace Signorini
 {
   using namespace dealii;
+
+  /// A disc or a part of it. Boundaries: arc; top of a lower part, or bottom of an upper one, where
+  /// it is cut at the height of the center; symmetry, where it is cut at the x of the center.
+  class DiscMesh : public MeshGenerator<2>
+  {
+  public:
+    void
+    declare(Section &section) override;
+
+    std::vector<std::string>
+    boundaries() const override;
+
+    CoarseMesh<2>
+    generate() const override;
+
+    bool
+    curved() const override
+    {
+      return true;
+    }
+
+  private:
+    std::vector<NamedSurface<2>>
+    surfaces() const;
+
+    dealii::Point<2> center;
+    double           radius = 1;
+    std::string      part   = "full";
+  };
+
+
 
   void
   DiscMesh::declare(Section &section)
@@ -71,5 +102,13 @@ namespace Signorini
     GridTools::scale(radius, triangulation);
     GridTools::shift(center, triangulation);
     return with_boundaries(triangulation, surfaces());
+  }
+
+
+
+  std::unique_ptr<MeshGenerator<2>>
+  make_disc()
+  {
+    return std::make_unique<DiscMesh>();
   }
 } // namespace Signorini

@@ -2,12 +2,8 @@
 #include "mesh/generators/file.h"
 
 #include "mesh_import/cells.h"
-#include "mesh_import/curved_cells.h"
 #include "mesh_import/division/chosen_cells.h"
-#include "mesh_import/division/collapsed_cells.h"
-#include "mesh_import/division/hex_subdivision.h"
-#include "mesh_import/division/merged_nodes.h"
-#include "mesh_import/numbered_sets.h"
+#include "mesh_import/import_steps.h"
 #include "mesh_import/pieces.h"
 #include "mesh_import/reconstruction/surface_reconstruction.h"
 #include <signorini/parameters/section.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/generators/ring.h"
-
+#include "geometry/manifolds.h"
 #include "geometry/memory.h"
-#include "geometry/round_manifold.h"
 #include "mesh/generators/circle_part.h"
+#include "mesh/generators/generators.h"
+#include "mesh/generators/named_surface.h"
 #include <signorini/parameters/section.h>
 
 #include <array>
@@ -12,6 +12,43 @@
 namespace Signorini
 {
   using namespace dealii;
+
+  /// The space between two circles, or a part of it; in 3D a tube along z. Boundaries: inner,
+  /// outer; symmetry_x, symmetry_y, where it is cut at the x or the y of the center; 3D: bottom,
+  /// top.
+  template <int dim>
+  class RingMesh : public MeshGenerator<dim>
+  {
+  public:
+    void
+    declare(Section &section) override;
+
+    std::vector<std::string>
+    boundaries() const override;
+
+    CoarseMesh<dim>
+    generate() const override;
+
+    bool
+    curved() const override
+    {
+      return true;
+    }
+
+  private:
+    std::vector<NamedSurface<dim>>
+    surfaces() const;
+
+    NamedSurface<dim>
+    round_surface(const std::string &name, double radius) const;
+
+    dealii::Point<dim> center;
+    double             inner_radius = 0.5, outer_radius = 1, height = 1;
+    unsigned int       cells_around = 8, cells_through = 1, layers = 1;
+    std::string        part = "full";
+  };
+
+
 
   namespace
   {
@@ -188,6 +225,17 @@ namespace Signorini
 
 
 
-  template class RingMesh<2>;
-  template class RingMesh<3>;
+  template <int dim>
+  std::unique_ptr<MeshGenerator<dim>>
+  make_ring()
+  {
+    return std::make_unique<RingMesh<dim>>();
+  }
+
+
+
+  template std::unique_ptr<MeshGenerator<2>>
+  make_ring();
+  template std::unique_ptr<MeshGenerator<3>>
+  make_ring();
 } // namespace Signorini

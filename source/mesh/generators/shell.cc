@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/generators/shell.h"
-
+#include "geometry/manifolds.h"
 #include "geometry/memory.h"
-#include "geometry/round_manifold.h"
+#include "mesh/generators/generators.h"
+#include "mesh/generators/named_surface.h"
 #include "mesh/generators/octants.h"
 #include <signorini/parameters/section.h>
 
@@ -14,6 +14,38 @@
 namespace Signorini
 {
   using namespace dealii;
+
+  /// The space between two spheres or a part of it (2D: the ring does it). Boundaries: inner,
+  /// outer, and the cuts top, symmetry_x, symmetry_y of ball_parts.
+  class ShellMesh : public MeshGenerator<3>
+  {
+  public:
+    void
+    declare(Section &section) override;
+
+    std::vector<std::string>
+    boundaries() const override;
+
+    CoarseMesh<3>
+    generate() const override;
+
+    bool
+    curved() const override
+    {
+      return true;
+    }
+
+  private:
+    std::vector<NamedSurface<3>>
+    surfaces() const;
+
+    dealii::Point<3> center;
+    double           inner_radius = 0.5, outer_radius = 1;
+    std::string      part         = "full";
+    unsigned int     cells_around = 1, cells_through = 1;
+  };
+
+
 
   namespace
   {
@@ -146,5 +178,13 @@ namespace Signorini
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, RoundManifold<3>(center));
     return with_boundaries(triangulation, surfaces());
+  }
+
+
+
+  std::unique_ptr<MeshGenerator<3>>
+  make_shell()
+  {
+    return std::make_unique<ShellMesh>();
   }
 } // namespace Signorini

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/generators/sphere.h"
-
-#include "geometry/round_manifold.h"
+#include "geometry/manifolds.h"
+#include "mesh/generators/generators.h"
+#include "mesh/generators/named_surface.h"
 #include "mesh/generators/octants.h"
 #include <signorini/parameters/section.h>
 
@@ -11,6 +11,37 @@
 namespace Signorini
 {
   using namespace dealii;
+
+  /// A ball or a part of it. Boundaries: sphere, and the cuts top, symmetry_x, symmetry_y of
+  /// ball_parts.
+  class SphereMesh : public MeshGenerator<3>
+  {
+  public:
+    void
+    declare(Section &section) override;
+
+    std::vector<std::string>
+    boundaries() const override;
+
+    CoarseMesh<3>
+    generate() const override;
+
+    bool
+    curved() const override
+    {
+      return true;
+    }
+
+  private:
+    std::vector<NamedSurface<3>>
+    surfaces() const;
+
+    dealii::Point<3> center;
+    double           radius = 1;
+    std::string      part   = "full";
+  };
+
+
 
   void
   SphereMesh::declare(Section &section)
@@ -55,5 +86,13 @@ namespace Signorini
     GridTools::scale(radius, triangulation);
     GridTools::shift(center, triangulation);
     return with_boundaries(triangulation, surfaces());
+  }
+
+
+
+  std::unique_ptr<MeshGenerator<3>>
+  make_sphere()
+  {
+    return std::make_unique<SphereMesh>();
   }
 } // namespace Signorini

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/division/collapsed_cells.h"
-
 #include "mesh_import/cells.h"
 #include "mesh_import/division/cell_shape.h"
+#include "mesh_import/import_steps.h"
 
 #include <algorithm>
 #include <set>

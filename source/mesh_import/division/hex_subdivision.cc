@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/division/hex_subdivision.h"
-
 #include "mesh_import/cells.h"
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/centers.h"
 #include "mesh_import/division/chosen_cells.h"
-#include "mesh_import/division/shape_report.h"
-#include "mesh_import/division/tetrahedra.h"
+#include "mesh_import/division/subdivisions.h"
+#include "mesh_import/import_steps.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/division/merged_nodes.h"
-
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/chosen_cells.h"
+#include "mesh_import/import_steps.h"
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/division/shape_report.h"
-
 #include "mesh_import/cells.h"
+#include "mesh_import/division/subdivisions.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/tensor.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/division/tetrahedra.h"
-
 #include "mesh_import/division/cell_shape.h"
+#include "mesh_import/division/subdivisions.h"
 
 #include <algorithm>
 

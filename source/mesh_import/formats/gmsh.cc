@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/formats/gmsh.h"
-
 #include "mesh_import/formats/file_position.h"
+#include "mesh_import/formats/readers.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 

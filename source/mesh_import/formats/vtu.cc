@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/formats/vtu.h"
-
+#include "mesh_import/formats/readers.h"
 #include "mesh_import/formats/vtk_cells.h"
 #include "mesh_import/formats/vtu_data.h"
 #include <signorini/parameters/raw.h>

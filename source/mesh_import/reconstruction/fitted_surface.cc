@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/reconstruction/fitted_surface.h"
-
-#include "geometry/round_manifold.h"
+#include "geometry/manifolds.h"
 #include "linear_algebra/dense.h"
 #include "mesh_import/cells.h"
+#include "mesh_import/reconstruction/curved_faces.h"
 #include <signorini/base/text.h>
 
 #include <algorithm>

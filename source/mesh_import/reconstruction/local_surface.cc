@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/reconstruction/local_surface.h"
-
 #include "linear_algebra/dense.h"
+#include "mesh_import/reconstruction/curved_faces.h"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/reconstruction/round_faces.h"
+#include "mesh_import/reconstruction/curved_faces.h"
 
 #include <algorithm>
 #include <set>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/reconstruction/smooth_faces.h"
-
 #include "geometry/connected.h"
+#include "mesh_import/reconstruction/curved_faces.h"
 #include "mesh_import/reconstruction/facets.h"
-#include "mesh_import/reconstruction/local_surface.h"
 
 #include <cmath>
 #include <map>

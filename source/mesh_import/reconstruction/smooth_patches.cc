@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/reconstruction/smooth_patches.h"
-
 #include "geometry/connected.h"
+#include "mesh_import/file_part_steps.h"
 #include "mesh_import/reconstruction/facets.h"
 
 #include <array>

@@ -3,8 +3,7 @@
 
 #include "geometry/cell_size.h"
 #include "mesh_import/cells.h"
-#include "mesh_import/reconstruction/round_faces.h"
-#include "mesh_import/reconstruction/smooth_faces.h"
+#include "mesh_import/reconstruction/curved_faces.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/section.h>
 

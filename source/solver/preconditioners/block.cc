@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/preconditioners/block.h"
-
 #include "solver/linear_solver.h"
+#include "solver/preconditioners/factorised.h"
 
 namespace Signorini
 {

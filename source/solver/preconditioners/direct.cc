@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/preconditioners/direct.h"
+#include "solver/preconditioners/factorised.h"
 
 namespace Signorini
 {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/interface/surface.h"
+#include "fields/snapshot.h"
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+  /// The vertices of the slave faces that have contact points, numbered consecutively over all
+  /// ranks, with the linear shape functions of the faces. Fields have entries for these vertices
+  /// only, so that iterations on them cost vectors of the size of the surface.
+  template <int dim>
+  class FaceVertices
+  {
+  public:
+    /// Number of vertices of a face.
+    static constexpr unsigned int n = dim == 2 ? 2 : 4;
+
+    using Field = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    /// Number the vertices. Collective.
+    /// @param elasticity the model
+    /// @param faces the slave faces of this rank
+    FaceVertices(const Elasticity<dim> &elasticity, const std::vector<SlaveFace<dim>> &faces);
+
+    /// @return the indices of the vertices of a face in a field; undefined if the face has no
+    /// points.
+    /// @param f index of the face
+    const std::array<dealii::types::global_dof_index, n> &
+    operator[](const unsigned int f) const
+    {
+      return my_vertices[f];
+    }
+
+    /// @return a zero field without ghost values.
+    Field
+    zero() const
+    {
+      return Field(layout);
+    }
+
+    /// @return a copy of a field with readable ghost values.
+    /// @param field without ghost values
+    static Field
+    with_ghosts(const Field &field)
+    {
+      Field result = field;
+      result.update_ghost_values();
+      return result;
+    }
+
+    /// @return the number of a vertex among the nodes of a face.
+    /// @param vertex its number among the vertices
+    /// @param degree of the face
+    static unsigned int
+    node(const unsigned int vertex, const unsigned int degree)
+    {
+      return degree * (vertex % 2) + (vertex / 2) * degree * (degree + 1);
+    }
+
+    /// @return the reference position of a vertex.
+    /// @param face the slave face
+    /// @param vertex its number among the vertices
+    static const dealii::Point<dim> &
+    position(const SlaveFace<dim> &face, const unsigned int vertex)
+    {
+      return face.positions[node(vertex, face.degree)];
+    }
+
+    /// Values and derivatives by the parameters of the linear functions of all vertices of a face,
+    /// at one parameter.
+    struct Functions
+    {
+      std::array<double, n>                     value;
+      std::array<dealii::Tensor<1, dim - 1>, n> slope;
+
+      /// @param xi parameter on the face
+      explicit Functions(const dealii::Point<dim - 1> &xi);
+    };
+
+  private:
+    std::vector<std::array<dealii::types::global_dof_index, n>> my_vertices;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>  layout;
+  };
+
+  /// Pressures at nodes that carry none of their own, see carries_pressure(), and at their
+  /// neighbours, which take over: what these have is the mean about the center of both functions.
+  /// From there on linearly, by the slopes of the parts of faces beyond; not below zero. On the
+  /// axis of rings nothing is to be done. Collective.
+  /// @param raw pressure as nodal_field()
+  /// @param pressure the values at these nodes are changed
+  template <int dim>
+  void
+  extrapolate_to_dirichlet_nodes(const Snapshot<dim> &snapshot,
+                                 unsigned int         pair,
+                                 const LA::Vector    &raw,
+                                 LA::Vector          &pressure);
+
+  /// Convert a pressure from force per reference area, the unknown of the methods, to Cauchy
+  /// pressure, which is reported (doc/theory, 6.5). At small strain both are the same. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  /// @param pressure at the nodes, see nodal_field(), which is changed
+  template <int dim>
+  void
+  to_present_areas(const Snapshot<dim> &snapshot, unsigned int pair, LA::Vector &pressure);
+} // namespace Signorini

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mesh_import/division/centers.h"
+#include "mesh_import/mesh_file.h"
+
+namespace Signorini
+{
+  /// Divide a pyramid, wedge or hexahedron into two, three or six tetrahedra, of second order if
+  /// the cell is.
+  ///
+  /// Each face is divided by the diagonal at its corner with the lowest node number, so that
+  /// neighbours agree; the tetrahedra are cones from the lowest corner of the cell over the
+  /// triangles of the faces that do not contain it (J. Dompierre, P. Labbé, M.-G. Vallet, R.
+  /// Camarero: How to subdivide pyramids, prisms, and hexahedra into tetrahedra, 8th International
+  /// Meshing Roundtable 1999).
+  /// @param cell the element; a tetrahedron is returned unchanged
+  /// @param file the mesh, to which nodes of second order may be appended
+  /// @param centers the nodes of second order
+  /// @return the tetrahedra, with type and number of the cell
+  std::vector<MeshFile::Element>
+  tetrahedra_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers);
+
+  /// @return the two triangles into which this rule divides a quadrilateral.
+  /// @param around its corners, in cyclic order
+  std::vector<MeshFile::Nodes>
+  triangles_of(const MeshFile::Nodes &around);
+
+  /// Collects the quality of the cells into which the elements of a file are divided. The scaled
+  /// Jacobian at a corner is the volume (2D: area) that the unit vectors along its edges span: 1 in
+  /// a cube, at least 0.71 in the parts of a regular tetrahedron, 0 where the cell is flat.
+  class ShapeReport
+  {
+  public:
+    /// @param file the mesh, to whose nodes and elements the report refers
+    /// @param dim 2 or 3
+    ShapeReport(const MeshFile &file, unsigned int dim)
+      : file(file)
+      , dim(dim)
+    {}
+
+    /// Add the next child of an element. All children of one element must be added in sequence.
+    /// @param element of the file
+    /// @param child one of the cells into which it is divided
+    void
+    add(const MeshFile::Element &element, const MeshFile::Element &child);
+
+    /// Throws SceneError with the number of elements that are folded or flat, and with the first of
+    /// them.
+    /// @return a message about the worst cells; none if no element was added
+    std::vector<std::string>
+    notes();
+
+  private:
+    struct WorstCell
+    {
+      std::size_t      number; ///< of the element
+      std::string      type;
+      double           quality; ///< smallest scaled Jacobian
+      dealii::Point<3> place;   ///< the corner
+    };
+
+    /// Add the present element to the statistics.
+    void
+    finish();
+    /// @return number, type, quality and position of an element, for messages.
+    std::string
+    text_of(const WorstCell &one) const;
+
+    const MeshFile    &file;
+    const unsigned int dim;
+
+    const MeshFile::Element *present = nullptr;
+    double                   least = 0, largest = 0; ///< of the present element
+    dealii::Point<3>         position_of_least, position_of_largest;
+    bool                     bends = false;
+
+    std::vector<WorstCell> worst; ///< the worst first
+    unsigned int           n_poor = 0, n_folded = 0;
+    std::string            first_folded;
+  };
+} // namespace Signorini
