@@ -326,6 +326,22 @@ TEST_CASE("a force on each node of a set is not one on nodes that divided cells 
 
 
 
+TEST_CASE("import: isotropic moduli in the form of orthotropic ones")
+{
+  // lambda + 2 mu, lambda, lambda + 2 mu, lambda, lambda, lambda + 2 mu, mu of E = 210, nu = 0.3.
+  const TemporaryFile file(cube + "*ELSET, ELSET=e\n1\n*MATERIAL, NAME=m\n*ELASTIC, TYPE=ORTHO\n"
+                                  "282.692307692, 121.153846154, 282.692307692, 121.153846154, "
+                                  "121.153846154, 282.692307692, 80.7692307692, 80.7692307692\n"
+                                  "80.7692307692\n*SOLID SECTION, ELSET=e, MATERIAL=m\n",
+                           ".inp");
+  const Scene<3>      scene    = checked<3>(imported(file.path).first);
+  const Material     &material = scene.bodies[0].material;
+  CHECK(material.youngs_modulus == doctest::Approx(210));
+  CHECK(material.poissons_ratio == doctest::Approx(0.3));
+}
+
+
+
 TEST_CASE("import: a deck of parts and instances is a complete scene")
 {
   const auto [text, messages] = imported(test_mesh("cae-blocks.inp"));

@@ -263,7 +263,7 @@ namespace Signorini
     if (type == "ORTHO" || type == "ORTHOTROPIC" || type == "ANISO" || type == "ANISOTROPIC")
       {
         one.poissons_ratio = b / (a + b);
-        one.youngs_modulus = a * (1 + b / (a + b)) * (1 - 2 * b / (a + b));
+        one.youngs_modulus = (a - b) * (a + 2 * b) / (a + b);
       }
     else
       {
