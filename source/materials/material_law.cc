@@ -17,7 +17,7 @@ namespace Signorini
 
     /// @return a law that needs lambda and mu only.
     template <typename Law>
-    std::shared_ptr<const Hyperelastic>
+    std::shared_ptr<const ConstitutiveLaw>
     of_moduli(const Material &material)
     {
       return std::make_shared<Law>(material.lambda(), material.mu());
@@ -60,6 +60,7 @@ namespace Signorini
 
 
 
+  // New laws are added here: name, description, coefficients, shear modulus, constructor.
   const std::vector<MaterialLaw> &
   material_laws()
   {
@@ -163,6 +164,7 @@ namespace Signorini
       "nu = 0.48 on, if the degree, the model and the contact method allow it");
     if (!section.reading())
       return;
+    // Laws with coefficients need them, the others refuse them.
     const MaterialLaw &chosen = law_of(*this);
     if (chosen.coefficients.empty() != coefficients.empty())
       section.fail("Coefficients",
@@ -184,6 +186,7 @@ namespace Signorini
       section.fail("Coefficients",
                    "have a shear modulus of " + short_text(shear) +
                      " in the reference configuration, which is not positive");
+    // E = 2 mu (1 + nu) of the reference configuration.
     const double young = 2 * shear * (1 + poissons_ratio);
     if (section.is_set("Young's modulus") && std::abs(youngs_modulus - young) > 1e-6 * young)
       section.fail("Young's modulus",

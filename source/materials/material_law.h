@@ -18,7 +18,7 @@ namespace Signorini
     /// std::domain_error where they are not valid.
     std::function<double(const std::vector<double> &)> shear_modulus;
     /// Creates the law for a material, whose moduli agree with its coefficients.
-    std::function<std::shared_ptr<const Hyperelastic>(const Material &material)> make;
+    std::function<std::shared_ptr<const ConstitutiveLaw>(const Material &material)> make;
   };
 
   /// @return all laws: the registry, to which new laws are added.

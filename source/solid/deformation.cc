@@ -94,18 +94,21 @@ namespace Signorini
 
 
 
-  MaterialPoint::MaterialPoint(const ConstitutiveLaw &law, const double volumetric_stress)
+  MaterialPoint::MaterialPoint(const ConstitutiveLaw &law,
+                               const double           volumetric_stress,
+                               const double *const    internal)
     : strain_measure(StrainMeasure::finite)
     , volumetric_stress(volumetric_stress)
     , law(&law)
     , linear(0, 0)
-    , internal(nullptr)
+    , internal(internal)
     , duration(0)
     , temperature_rise(0)
   {}
 
 
 
+  // Materials without a constitutive law are linear elastic.
   ConstitutiveResponse
   MaterialPoint::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {
@@ -173,6 +176,7 @@ namespace Signorini
 
 
 
+  // sigma = F S F^T/J at finite strain; at small strain the stress of the law.
   SymmetricTensor<2, 3>
   cauchy_stress(const Model model, const MaterialPoint &point, Tensor<2, 3> F)
   {

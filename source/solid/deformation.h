@@ -36,8 +36,11 @@ namespace Signorini
                            double          duration          = 0,
                            double          temperature_rise  = 0);
 
-    /// A point of a material whose law has no internal variables.
-    MaterialPoint(const ConstitutiveLaw &law, double volumetric_stress = 0);
+    /// A point of a material with that law of finite strain.
+    /// @param internal internal variables, law.n_internal() of them; null: none
+    MaterialPoint(const ConstitutiveLaw &law,
+                  double                 volumetric_stress = 0,
+                  const double          *internal          = nullptr);
 
     /// The response of the law: stress S, and tangent 2 dS/dC and energy as far as wanted. @param C
     /// C = F^T F at finite strain, 1 + 2 eps at small strain

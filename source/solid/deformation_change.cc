@@ -37,9 +37,12 @@ namespace Signorini
       Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, u, x);
       const Tensor<2, 3> H = F - Tensor<2, 3>(unit_symmetric_tensor<3>()),
                          sigma(elasticity.stress(cell, gradient, u, x));
-      const auto state = response_if_any(elasticity.model(),
-                                         {law, elasticity.volumetric_stress().value(cell, x)},
-                                         F);
+      // Laws with internal variables are compared as they are at the start.
+      const std::vector<double> internal(law.n_internal(), 0.);
+      const auto                state =
+        response_if_any(elasticity.model(),
+                        {law, elasticity.volumetric_stress().value(cell, x), internal.data()},
+                        F);
       return {std::abs(scalar_product(sigma, H)),
               state ? std::abs(scalar_product(F * Tensor<2, 3>(state->stress) - sigma, H)) :
                       std::nan("")};

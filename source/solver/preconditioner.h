@@ -26,7 +26,7 @@ namespace Signorini
     /// Set the start vector of Krylov methods, where the preconditioner relies on a special one.
     /// @param x in: zero
     virtual void
-    start(LA::BlockVector & /*x*/, const LA::BlockVector & /*rhs*/) const
+    start([[maybe_unused]] LA::BlockVector &x, [[maybe_unused]] const LA::BlockVector &rhs) const
     {}
 
     /// Apply the preconditioner: dst = M^-1 src. Collective.

@@ -120,7 +120,8 @@ namespace Signorini
     /// with "Contact method".
     /// @param degree of the displacement of the slave
     virtual void
-    check(const Integration & /*integration*/, unsigned int /*degree*/) const
+    check([[maybe_unused]] const Integration &integration,
+          [[maybe_unused]] unsigned int       degree) const
     {}
 
     /// Make a method. @param name one of method_names()
