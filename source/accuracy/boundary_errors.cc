@@ -153,6 +153,7 @@ namespace Signorini
 
 
 
+    // Strain and stress have three dimensions in all models.
     template <int dim>
     AtFace<dim>
     Boundaries<dim>::values_of(const LA::Vector        &ghosted,
@@ -203,6 +204,7 @@ namespace Signorini
 
 
 
+    // Roller supports prescribe one direction, others components.
     template <int dim>
     std::vector<Tensor<1, dim>>
     Boundaries<dim>::boundary_residual(const std::vector<const Support<dim> *> &of_face,
@@ -233,6 +235,7 @@ namespace Signorini
 
 
 
+    // The same quadrature points on the subface of the coarser neighbour, by its own mapping.
     template <int dim>
     std::vector<double>
     Boundaries<dim>::distance_to_neighbour(const Cell              &cell,
@@ -292,6 +295,8 @@ namespace Signorini
 
 
 
+    // Conditions of supports are compared with the computed displacement on the boundary of the
+    // cells.
     template <int dim>
     void
     Boundaries<dim>::add_boundary(const Cell &cell, const unsigned int face, BoundaryErrors &errors)

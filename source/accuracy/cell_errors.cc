@@ -33,6 +33,8 @@ namespace Signorini
           const auto        &at       = recovered(cell);
           const Material    &material = elasticity.material(cell->material_id());
           const unsigned int i        = cell->active_cell_index();
+          // Energy products of stresses: (s, t) = integral of s : C^-1 t, with the compliance C^-1
+          // of the material.
           for (unsigned int q = 0; q < at.weights.size(); ++q)
             {
               const auto strain = compliance(material, at.deviation[0][q]);

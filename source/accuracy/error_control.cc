@@ -81,6 +81,7 @@ namespace Signorini
 
 
 
+  // Divergence, or a model error that is nearly as large as the target.
   std::string
   ErrorControl::obstacle() const
   {

@@ -16,8 +16,10 @@ namespace Signorini
       pair,
       support,
       obstacle,
-      probe,         ///< a point in a body
-      surface_probe, ///< a point on a pair
+      /// A point in a body.
+      probe,
+      /// A point on a contact pair.
+      surface_probe,
       nothing
     };
 
@@ -25,8 +27,10 @@ namespace Signorini
     enum class ComponentKind
     {
       none,
-      vector, ///< one of x, y, z, or none
-      tensor  ///< one of xx, yy, zz, xy, ...
+      /// One of x, y, z, or none for the norm.
+      vector,
+      /// One of xx, yy, zz, xy, yz, xz.
+      tensor
     };
 
     /// A kind of quantity, with the functions that evaluate it.
@@ -149,6 +153,7 @@ namespace Signorini
     if (divider != std::string::npos)
       result.of = text.substr(divider + 4);
 
+    // If the whole text before " of " is no kind, its last word is taken as the component.
     const Kind *kind = find_kind(result.what);
     if (const auto blank = result.what.rfind(' '); !kind && blank != std::string::npos)
       if (const Kind *other = find_kind(result.what.substr(0, blank)))
@@ -161,6 +166,7 @@ namespace Signorini
       throw SceneError(place + ": there is no quantity '" + text + "'. There are: " + examples() +
                        "; force, reaction, motion and displacement also by components, as 'force y "
                        "of PAIR', stress as 'stress xy of PROBE'.");
+    // A tensor needs a component; other kinds accept one of theirs or none.
     const std::vector<std::string> components = possible_components(*kind, dim);
     const bool                     is_one =
       std::find(components.begin(), components.end(), result.component) != components.end();
@@ -169,6 +175,7 @@ namespace Signorini
         place + ": '" + text + "': " + kind->what +
         (components.empty() ? " has no components" : " has the components " + join(components)));
 
+    // The name behind " of " must exist among the items to which the kind refers.
     const std::vector<std::string> &existing =
       kind->of == QuantityTarget::pair     ? names.pairs :
       kind->of == QuantityTarget::support  ? names.supports :

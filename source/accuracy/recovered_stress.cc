@@ -99,6 +99,7 @@ namespace Signorini
 
 
 
+  // Displacements are needed for the hoop strain of axisymmetric models only.
   template <int dim>
   void
   RecoveredStress<dim>::stresses_at(const Cell                       &cell,

@@ -128,6 +128,8 @@ namespace Signorini
       if (static_cast<unsigned int>(cell->level()) <= mesh.least_level(mesh.body(cell)))
         cell->clear_coarsen_flag();
 
+    // Coarsening must not go below the cells of the scene; vectors need ghost values before the
+    // refinement.
     std::vector<LA::Vector>          ghosted;
     std::vector<std::vector<double>> rigid;
     std::vector<const LA::Vector *>  in;
@@ -144,6 +146,7 @@ namespace Signorini
     triangulation.execute_coarsening_and_refinement();
 
     elasticity.setup(elasticity.time_of_supports());
+    // After the refinement all vectors have new layouts.
     std::vector<LA::Vector>   parts(vectors.size(), elasticity.zero_mesh_vector());
     std::vector<LA::Vector *> out;
     for (LA::Vector &part : parts)

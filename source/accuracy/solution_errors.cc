@@ -93,6 +93,7 @@ namespace Signorini
             values[displacement].get_function_gradients(ghosted, grad_u);
             for (const unsigned int q : values.quadrature_point_indices())
               {
+                // Deviation and exact field at the point, in L2 and in energy.
                 const Point<dim>    &x      = values.quadrature_point(q);
                 const Tensor<1, dim> wanted = exact.value(x, s.time);
                 const Tensor<2, dim> grad   = gradient(exact, x, s.time, cell->diameter());

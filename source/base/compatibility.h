@@ -9,12 +9,12 @@
 
 namespace Signorini
 {
-  /// What has different names in the versions of deal.II that are supported (9.4 to 9.7), by one
-  /// name each; the newer name where there is one.
+  /// Common names for what is called differently in the supported versions of deal.II (9.4 to 9.7);
+  /// the newer name where there is one.
   namespace Compatibility
   {
 #if DEAL_II_VERSION_GTE(9, 6, 0)
-    /// What becomes of a cell, as the signal of weights says it.
+    /// The state of a cell in the signal of weights.
     template <int dim>
     constexpr dealii::CellStatus cell_will_persist = dealii::CellStatus::cell_will_persist;
     template <int dim>
@@ -31,7 +31,10 @@ namespace Signorini
     constexpr auto compression_best_speed = dealii::DataOutBase::VtkFlags::best_speed;
 #endif
 
-    /// Empties constraints, for those degrees of freedom that a rank may need.
+    /// Remove all constraints.
+    /// @param constraints which are cleared
+    /// @param locally_owned degrees of freedom of this rank
+    /// @param locally_relevant degrees of freedom that this rank may need
     inline void
     reinit(dealii::AffineConstraints<double>       &constraints,
            [[maybe_unused]] const dealii::IndexSet &locally_owned,

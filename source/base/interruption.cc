@@ -12,6 +12,7 @@ namespace Signorini
 
   namespace
   {
+    /// A signal that ends a run.
     struct Watched
     {
       int         number;
@@ -20,16 +21,18 @@ namespace Signorini
 
     constexpr Watched signals[] = {{SIGTERM, "SIGTERM"}, {SIGINT, "SIGINT"}, {SIGUSR1, "SIGUSR1"}};
 
-    // Handlers may touch nothing else.
+    // Signal handlers may access variables of these types only.
     volatile std::sig_atomic_t received    = 0;
     volatile std::time_t       received_at = 0;
 
     Interruption *living = nullptr;
 
+    /// The signal handler. A second signal, more than a second after the first, terminates the
+    /// process at once.
     extern "C" void
     note_signal(const int number)
     {
-      // Launchers may tell a process the same thing twice.
+      // MPI launchers may send the same signal twice.
       const std::time_t now = std::time(nullptr);
       if (received != 0 && now > received_at + 1)
         {
@@ -72,6 +75,8 @@ namespace Signorini
 
 
 
+  // The time limit accounts for the longest time between two calls, and for the reserve; the
+  // decision is the same on all ranks.
   void
   Interruption::check()
   {

@@ -11,20 +11,23 @@
 
 namespace Signorini
 {
-  /// A run that was asked to end, or has to. Not an error; thrown by all ranks.
+  /// The run was interrupted by a signal or by its time limit. Not an error; thrown by all ranks.
   class Interrupted : public std::runtime_error
   {
   public:
     using std::runtime_error::runtime_error;
   };
 
-  /// Watches, while it lives, for what ends a run from outside: the signals SIGTERM, SIGINT and
-  /// SIGUSR1, and a limit on time. A second signal, more than a second after the first, ends the
+  /// Watches for interruptions from outside while the object exists: the signals SIGTERM, SIGINT
+  /// and SIGUSR1, and a time limit. A second signal, more than a second after the first, ends the
   /// process at once.
   class Interruption
   {
   public:
-    /// @param limit wall time [seconds] on that clock; 0: none
+    /// Install the signal handlers; the destructor restores the former ones.
+    /// @param clock of the run
+    /// @param limit wall time [s] on that clock; 0: none
+    /// @param comm the ranks
     Interruption(const dealii::Timer &clock, double limit, MPI_Comm comm);
     ~Interruption();
 
@@ -32,12 +35,13 @@ namespace Signorini
     Interruption &
     operator=(const Interruption &) = delete;
 
-    /// To be called often. Throws Interrupted on all ranks if one of them has got a signal, or if
-    /// time would be over before the next call. Collective.
+    /// Throws Interrupted on all ranks if one of them has received a signal, or if the time limit
+    /// would be exceeded before the next call. To be called often. Collective.
     void
     check();
 
-    /// Seconds that are needed after the end, for a checkpoint; 1 if nothing is said.
+    /// Set the time that is needed after an interruption.
+    /// @param seconds for a checkpoint [s]; 1 by default
     void
     set_reserve(const double seconds)
     {
@@ -52,7 +56,7 @@ namespace Signorini
     std::vector<struct sigaction> former;
   };
 
-  /// Interruption::check() of the one that lives, if there is one. Whatever may take long calls
+  /// Call Interruption::check() of the existing object, if there is one. All long computations call
   /// this, on all ranks alike: each search, each step of Newton's method and of a line search, and
   /// products of Krylov methods. Collective.
   void

@@ -5,14 +5,14 @@
 
 namespace Signorini
 {
-  /// The solution could not be found. All ranks throw it alike.
+  /// The solution could not be computed. Thrown by all ranks alike.
   class SolverFailure : public std::runtime_error
   {
   public:
     using std::runtime_error::runtime_error;
   };
 
-  /// CG has met a direction along which the system is not positive.
+  /// CG has found a direction of negative curvature: the system is not positive definite.
   class IndefiniteSystem : public SolverFailure
   {
   public:

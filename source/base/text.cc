@@ -14,6 +14,8 @@ namespace Signorini
 {
   namespace
   {
+    /// @return a message without control characters, and shortened if it is very long: both may
+    /// come from binary files.
     std::string
     readable(std::string message)
     {
@@ -88,6 +90,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return a word in lower case.
     std::string
     lower(std::string word)
     {
@@ -95,7 +98,8 @@ namespace Signorini
       return word;
     }
 
-    /// Levenshtein distance.
+    /// @return the Levenshtein distance of two words: the smallest number of insertions, deletions
+    /// and substitutions. One row of the matrix of distances is kept. O(length a times length b).
     unsigned int
     distance(const std::string &a, const std::string &b)
     {
@@ -131,7 +135,7 @@ namespace Signorini
           best_distance = d;
           best          = candidate;
         }
-    // A word of a longer name is a good guess too.
+    // Otherwise a name that contains the word.
     if (best.empty() && word.size() > 2)
       for (const std::string &candidate : candidates)
         if (lower(candidate).find(lower(word)) != std::string::npos)

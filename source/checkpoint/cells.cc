@@ -16,6 +16,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the ids of the cells of this rank.
     template <int dim>
     std::vector<CellId>
     owned_cells(const Mesh<dim> &mesh)
@@ -27,6 +28,7 @@ namespace Signorini
       return result;
     }
 
+    /// Throw SceneError: the mesh differs from that of the checkpoint.
     [[noreturn]] void
     reject_mesh(const std::string &why)
     {
@@ -37,6 +39,9 @@ namespace Signorini
 
 
 
+  // Each value belongs to the first cell of its owner that has it. Values are identified by the
+  // cell and the position in its list of degrees of freedom, not by numbers, which depend on the
+  // partition.
   template <int dim>
   std::vector<CellValues>
   values_of_cells(const Elasticity<dim> &elasticity, const LA::Vector &u)
@@ -69,6 +74,7 @@ namespace Signorini
 
 
 
+  // Values of owned cells are fetched from the ranks that have read them, by gather_values().
   template <int dim>
   LA::Vector
   vector_of_cells(const Elasticity<dim> &elasticity, const std::vector<CellValues> &cells)
@@ -78,7 +84,7 @@ namespace Signorini
       known[cell.cell] = cell;
     const auto values =
       gather_values(known, owned_cells(elasticity.mesh()), elasticity.mesh().communicator());
-    // Each value is there once, so that a sum over ranks is what its owner gets.
+    // Each value occurs once, so that the sum over ranks is the value itself.
     LA::Vector                           sum = elasticity.zero_vector();
     std::vector<types::global_dof_index> indices;
     bool                                 fits = true;
@@ -105,11 +111,17 @@ namespace Signorini
 
 
 
+  // Active cells of the checkpoint imply the refinement of all their ancestors. In each pass cells
+  // that must have children are refined, and those that the checkpoint does not contain are
+  // coarsened, until nothing changes; passes are limited in case that the mesh cannot be
+  // reproduced.
   template <int dim>
   void
   restore_cells(Mesh<dim> &mesh, const std::vector<CellValues> &cells)
   {
-    std::map<CellId, bool> is_active; // or has children
+    std::map<CellId, bool> is_active; // false: has children
+    // All ancestors of an active cell have children. The path from the coarse cell to a cell is
+    // shortened by one child after the other, until an ancestor is known already.
     for (const CellValues &one : cells)
       {
         is_active[one.cell] = true;
@@ -126,6 +138,8 @@ namespace Signorini
     constexpr unsigned int most          = 100; // twice as many levels as there can be
     for (unsigned int round = 0; round < most; ++round)
       {
+        // Ranks ask for the states of their present cells, which other ranks may have read from the
+        // checkpoint.
         const auto   wanted    = gather_values(is_active, owned_cells(mesh), mesh.communicator());
         unsigned int n_changes = 0;
         for (const auto &cell : triangulation.active_cell_iterators())
@@ -150,6 +164,7 @@ namespace Signorini
 
 
 
+  // Sums over cells, which do not depend on the partition except for rounding.
   template <int dim>
   nlohmann::ordered_json
   mark_of_mesh(const Mesh<dim> &mesh)
@@ -171,7 +186,7 @@ namespace Signorini
     const auto n = mesh.triangulation().n_global_active_cells();
     for (double &moment : moments)
       moment /= n;
-    // As words: not all readers of JSON have integers of 64 bits.
+    // As a text: not all JSON readers have integers of 64 bits.
     return {{"cells", n},
             {"names", std::to_string(Utilities::MPI::sum(hash, mesh.communicator()))},
             {"centres", moments}};

@@ -20,12 +20,14 @@ namespace Signorini
   {
     const std::string beginning = "checkpoint-";
 
+    /// @return the path of the file of a rank.
     std::string
     part_of(const std::string &folder, const unsigned int rank)
     {
       return folder + "/part-" + std::to_string(rank);
     }
 
+    /// @return the number of a checkpoint, from the name of its folder.
     unsigned int
     number_of(const std::string &name)
     {
@@ -63,6 +65,8 @@ namespace Signorini
 
 
 
+  // Parts are distributed over the present ranks, whose number may differ from that of the run that
+  // wrote them.
   Checkpoints::Content
   Checkpoints::read(const std::string &name) const
   {
@@ -80,6 +84,7 @@ namespace Signorini
 
 
 
+  // From the newest one backwards; damage on any rank makes all ranks try the one before.
   std::optional<Checkpoints::Content>
   Checkpoints::newest(ConditionalOStream &out)
   {
@@ -97,7 +102,7 @@ namespace Signorini
           {
             damage = error.what();
           }
-        // The first one that has something to say.
+        // The message of the first rank that has found damage.
         for (const std::string &one : Utilities::MPI::all_gather(comm, damage))
           if (!one.empty())
             {
@@ -106,7 +111,7 @@ namespace Signorini
             }
         if (damage.empty())
           {
-            // The one before was not looked at; it may be of use if this one goes bad later.
+            // The one before was not read; it is kept in case that this one gets damaged.
             kept.clear();
             if (std::next(name) != all.rend())
               kept.push_back(*std::next(name));
@@ -125,6 +130,9 @@ namespace Signorini
 
 
 
+  // Everything is written into a temporary folder, which is renamed when it is complete on the
+  // disk. After each step all ranks know whether all have succeeded. Then checkpoints other than
+  // the last two are removed.
   bool
   Checkpoints::write(const nlohmann::ordered_json &head, const std::string &part)
   {
@@ -134,7 +142,9 @@ namespace Signorini
                         beginning +
                         Utilities::int_to_string(all.empty() ? 1 : number_of(all.back()) + 1, 4),
                       unfinished = directory + "/" + name + ".tmp";
-    const auto succeeds          = [&](const bool takes_part, const auto &action) {
+    // Executes an action on some ranks, and returns on all ranks whether it has succeeded
+    // everywhere.
+    const auto succeeds = [&](const bool takes_part, const auto &action) {
       bool done = true;
       if (takes_part)
         try
@@ -179,6 +189,8 @@ namespace Signorini
 
 
 
+  // The order of synchronisation makes sure that a folder with its final name is complete even
+  // after a crash of the machine.
   void
   Checkpoints::publish(const std::string &name)
   {

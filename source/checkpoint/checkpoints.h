@@ -12,61 +12,70 @@
 
 namespace Signorini
 {
-  /// The checkpoints in the directory of a run: folders checkpoint-NNNN with a file `head`, which
-  /// all ranks know, and a file a rank. The last two are kept. A folder gets its name when all in
-  /// it is on the disk, so that there are no halves of checkpoints.
+  /// The checkpoints in the directory of a run: folders checkpoint-NNNN with a file `head` for all
+  /// ranks, and one file for each rank. The last two are kept. A folder gets its final name when
+  /// everything in it is on the disk, so that there are no incomplete checkpoints.
   class Checkpoints
   {
   public:
+    /// @param directory of the run
+    /// @param comm the ranks
     Checkpoints(const std::string &directory, MPI_Comm comm);
 
+    /// The contents of a checkpoint.
     struct Content
     {
-      std::string              name; ///< of the folder
-      nlohmann::ordered_json   head;
-      std::vector<std::string> parts; ///< those that this rank has to take care of
+      /// Name of the folder.
+      std::string            name;
+      nlohmann::ordered_json head;
+      /// Contents of the files that this rank has to process.
+      std::vector<std::string> parts;
     };
 
-    /// The newest one that is whole; others are told on `out`. None if there are none. Throws
-    /// SceneError if there are only damaged ones. Collective.
+    /// @return the newest checkpoint that is not damaged; none if there are no checkpoints. Throws
+    /// SceneError if all are damaged. Collective.
+    /// @param out receives messages about damaged ones
     std::optional<Content>
     newest(dealii::ConditionalOStream &out);
 
-    /// Beside the former ones, of which the last stays. False if the disk does not take it: then
-    /// all is as it was. Collective.
-    /// @param head the same on all ranks
+    /// Write a checkpoint; the last of the former ones is kept. Collective.
+    /// @param head contents of `head`, the same on all ranks
+    /// @param part contents of the file of this rank
+    /// @return false if the disk cannot store it; then nothing has changed
     bool
     write(const nlohmann::ordered_json &head, const std::string &part);
 
-    /// What the last write() cost: bytes of all ranks, and seconds.
+    /// @return the size [bytes] of the last checkpoint, over all ranks.
     double
     bytes() const
     {
       return my_bytes;
     }
+    /// @return the time [s] that the last write() took.
     double
     seconds() const
     {
       return my_seconds;
     }
 
-    /// Remove the checkpoints of a run that needs them no more. Collective.
+    /// Remove all checkpoints, at the end of a run. Collective.
     void
     remove();
 
   private:
     Content
     read(const std::string &name) const;
-    /// Names of all, the oldest first, from the first rank.
+    /// @return the names of all checkpoints, the oldest first. Collective.
     std::vector<std::string>
     names() const;
     void
     publish(const std::string &name);
 
-    const std::string        directory;
-    const MPI_Comm           comm;
-    const unsigned int       rank, n_ranks;
-    std::vector<std::string> kept; ///< whole ones
+    const std::string  directory;
+    const MPI_Comm     comm;
+    const unsigned int rank, n_ranks;
+    /// Names of the complete ones that are kept.
+    std::vector<std::string> kept;
     double                   my_bytes = 0, my_seconds = 0;
   };
 } // namespace Signorini

@@ -18,12 +18,14 @@ namespace Signorini
 
   namespace
   {
+    /// @return the path of the file in a directory.
     std::string
     file_in(const std::string &directory)
     {
       return directory + "/restart.scene";
     }
 
+    /// @return the checksum of a file. Throws SceneError if it cannot be read.
     std::uint32_t
     checksum_of_file(const std::string &path)
     {
@@ -35,6 +37,7 @@ namespace Signorini
       return checksum(content.str());
     }
 
+    /// Add the checksums of all files that keys `File` of a section and its subsections name.
     void
     add_files(const RawSection &section, std::map<std::string, std::uint32_t> &files)
     {
@@ -44,6 +47,7 @@ namespace Signorini
         add_files(one, files);
     }
 
+    /// Throw SceneError: the run cannot be restarted.
     [[noreturn]] void
     refuse(const std::string &why)
     {
@@ -75,6 +79,7 @@ namespace Signorini
 
 
 
+  // The files that the scene names must be those with which the run was started.
   Origin
   read_origin(const std::string &directory)
   {

@@ -7,32 +7,43 @@
 
 namespace Signorini
 {
-  /// What a run was started with: enough to start it again from its output directory.
+  /// What is needed to restart a run from its output directory.
   struct Origin
   {
-    std::string                          name;  ///< of the scene
-    std::string                          scene; ///< the text of its file, with all defaults
-    std::map<std::string, std::uint32_t> files; ///< which it names: meshes, STL; their checksums
+    /// Name of the scene.
+    std::string name;
+    /// Text of the scene with all defaults.
+    std::string scene;
+    /// Checksums of the files that the scene names (meshes, STL), by path.
+    std::map<std::string, std::uint32_t> files;
   };
 
-  /// With the checksums of the files that the scene names. Throws SceneError if one is gone.
+  /// @return the origin of a run. Throws SceneError if a file that the scene names cannot be read.
+  /// @param name of the scene
+  /// @param scene its text with all defaults
   Origin
   origin_of(const std::string &name, const std::string &scene);
 
-  /// Leaves it as DIRECTORY/restart.scene. Throws OutputError.
+  /// Write DIRECTORY/restart.scene. Throws OutputError.
+  /// @param directory of the run
+  /// @param origin of the run
   void
   write_origin(const std::string &directory, const Origin &origin);
 
-  /// Throws SceneError if there is none, if it is damaged, or if a file has changed since.
+  /// @return the origin of a run. Throws SceneError if there is none, if it is damaged, or if a
+  /// file has changed since.
+  /// @param directory of the run
   Origin
   read_origin(const std::string &directory);
 
-  /// By which a checkpoint knows its run. Throws SceneError.
+  /// @return a checksum by which checkpoints are assigned to a run. Throws SceneError.
+  /// @param directory of the run
   std::uint32_t
   checksum_of_origin(const std::string &directory);
 
-  /// Throws SceneError for a key that a run must not change half-way: "Section/Key=value" of others
-  /// than Newton, Solver and Output, or cut-backs.
+  /// Throws SceneError for a key that a restart must not change: all except those of Newton, Solver
+  /// and Output, and Load steps/Cut-backs.
+  /// @param assignment "Section/Key=value"
   void
   check_change(const std::string &assignment);
 } // namespace Signorini

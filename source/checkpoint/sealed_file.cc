@@ -15,10 +15,11 @@ namespace Signorini
 {
   namespace
   {
-    /// The last word is the version of all that is in sealed files: others are not read.
+    /// The first words of sealed files. The number is the version of their contents; files of other
+    /// versions are rejected.
     const std::string mark = "Signorini checkpoint 3";
 
-    /// False if the disk does not take all of it.
+    /// @return whether all of a text could be written.
     bool
     write_all(const int file, const std::string &text)
     {
@@ -34,10 +35,11 @@ namespace Signorini
       return true;
     }
 
+    /// @return whether a file is on the disk.
     bool
     sync(const int file)
     {
-      // Some file systems have no fsync for folders, and say so.
+      // Some file systems do not support fsync for folders.
       return fsync(file) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP;
     }
   } // namespace
@@ -60,13 +62,14 @@ namespace Signorini
     const int  file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     const bool done =
       file >= 0 && write_all(file, head.str()) && write_all(file, content) && sync(file);
-    // Some file systems say only here that they are full.
+    // Some file systems report only here that they are full.
     if ((file >= 0 && close(file) != 0) || !done)
       throw OutputError(path, false);
   }
 
 
 
+  // First line: mark, length, checksum. Then the content, and nothing behind it.
   std::string
   read_sealed(const std::string &path)
   {

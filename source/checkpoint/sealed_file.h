@@ -7,27 +7,33 @@
 
 namespace Signorini
 {
-  /// A file that is not what was written: cut off, changed, or of another format.
+  /// A file that differs from what was written: truncated, changed, or of another format.
   class Damaged : public std::runtime_error
   {
   public:
     using std::runtime_error::runtime_error;
   };
 
-  /// Writes a file whose first line says its length and its checksum, and waits until the disk has
-  /// it. Throws OutputError.
+  /// Write a file whose first line contains the length and checksum of the rest, and wait until it
+  /// is on the disk. Throws OutputError.
+  /// @param path of the file
+  /// @param content any bytes
   void
   write_sealed(const std::string &path, const std::string &content);
 
-  /// What write_sealed() wrote. Throws Damaged, saying file and reason.
+  /// @return the content of a file of write_sealed(). Throws Damaged with file and reason.
+  /// @param path of the file
   std::string
   read_sealed(const std::string &path);
 
-  /// The checksum of the first line (CRC-32), by which other files refer to this one.
+  /// @return the CRC-32 checksum that write_sealed() stores, by which other files refer to this
+  /// one.
+  /// @param content any bytes
   std::uint32_t
   checksum(const std::string &content);
 
-  /// Waits until the disk knows the names in that folder. Throws OutputError.
+  /// Wait until the names in a folder are on the disk. Throws OutputError.
+  /// @param path of the folder
   void
   sync_folder(const std::string &path);
 } // namespace Signorini

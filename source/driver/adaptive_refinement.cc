@@ -126,11 +126,14 @@ namespace Signorini
   AdaptiveRefinement<dim>::mark(const ErrorControl &control, const ErrorEstimate &estimate)
   {
     const std::vector<double> indicators = control.indicators(estimate.cells, comm);
+    // Without targets the settings determine which share of the cells is refined.
     if (!scene.goals.has_targets())
       {
         mark_cells(scene.refinement, *problem.mesh, indicators);
         return true;
       }
+    // If the error of the mesh dominates: a higher degree where this is more efficient, else cells
+    // with the largest indicators.
     if (control.needs_mesh())
       {
         next_quadratic = bodies_to_p_refine(*problem.mesh,

@@ -83,7 +83,7 @@ namespace Signorini
           << "; define the Contact pairs explicitly, or set Contact pairs/auto/Search distance"
           << std::endl;
     warn_about_penetrations(mesh, pairs, distance, out);
-    // What cannot move against what cannot move carries no pressure that anything would tell.
+    // A pair of two surfaces that cannot move carries no pressure that depends on the solution.
     pairs.erase(std::remove_if(pairs.begin(),
                                pairs.end(),
                                [&](const ContactPair<dim> &pair) {

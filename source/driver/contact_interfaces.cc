@@ -48,6 +48,8 @@ namespace Signorini
 
 
 
+  // The surface of one pair in a configuration, with the choices of the run for its method and
+  // integration. Collective.
   template <int dim>
   ContactSurface<dim>
   ContactInterfaces<dim>::surface_of(const Configuration<dim>  &configuration,
@@ -122,6 +124,7 @@ namespace Signorini
 
 
 
+  // The tolerances known from the solution on a coarser mesh, or else the present candidate gap.
   template <int dim>
   SearchTolerance
   ContactInterfaces<dim>::reference_tolerance(const unsigned int i) const
@@ -132,6 +135,9 @@ namespace Signorini
 
 
 
+  // Search tolerances for the next mesh from the solution on this one: the candidate gap is the
+  // largest approach with a margin, and penetrations up to twice the deepest one are found. Pairs
+  // whose gap does not result from motions keep the estimate.
   template <int dim>
   SearchTolerance
   ContactInterfaces<dim>::tolerance_from_solution(const unsigned int i) const
@@ -169,6 +175,7 @@ namespace Signorini
             result.push_back(reference_tolerance(i));
             continue;
           }
+        // Candidates near the solution: enough for half a face, and never fewer than before.
         if (built_near_solution && !my_surfaces.empty())
           candidate_gap_near_solution[i] =
             std::max({candidate_gap_near_solution[i],
@@ -193,6 +200,8 @@ namespace Signorini
 
 
 
+  // A bound of the approach of the surfaces of each pair by the displacement `since` the last
+  // search. Collective.
   template <int dim>
   std::vector<double>
   ContactInterfaces<dim>::approach_distances(const LA::Vector &since) const
@@ -217,6 +226,7 @@ namespace Signorini
   {
     const ContactMethod &method = scene.contact.chosen();
     built_near_solution         = is_near;
+    // Shapes are set to the present time before all searches, since several pairs may share one.
     for (const Obstacle<dim> &obstacle : scene.obstacles)
       obstacle.shape->set_time(elasticity.time());
     candidate_gap_near_solution.resize(decisions.pairs.size(), 0.);
@@ -227,6 +237,7 @@ namespace Signorini
       std::vector<ContactSurface<dim>>   former   = std::move(my_surfaces);
       build_time                                  = elasticity.time();
       my_surfaces.clear();
+      // Each pair is searched in turn on all ranks together.
       try
         {
           for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
@@ -245,6 +256,7 @@ namespace Signorini
         }
     }
     TimerOutput::Scope scope(timer, "contact");
+    // One gap operator for all pairs; each row belongs to one pair.
     rows =
       std::make_unique<ContactRows>(make_contact_rows(elasticity, my_surfaces, method.sampling()));
     contact = make_gap_operator(configuration, my_surfaces, *rows, method);
@@ -284,6 +296,8 @@ namespace Signorini
 
 
 
+  // A large step may carry an obstacle through a thin body to its other side, where no point
+  // penetrates it. Collective.
   template <int dim>
   void
   ContactInterfaces<dim>::check_tunnelling(const LA::Vector &from, const LA::Vector &to) const
@@ -300,6 +314,8 @@ namespace Signorini
 
 
 
+  // After a solution: obstacles that faces without contact points have passed through, or that a
+  // body encloses, are failures of the load step. Collective.
   template <int dim>
   void
   ContactInterfaces<dim>::check_missed_penetration(const LA::Vector &u,
@@ -359,6 +375,8 @@ namespace Signorini
 
 
 
+  // The name of an obstacle whose shape has no closest point for some contact point of any rank;
+  // empty: there is none. Collective.
   template <int dim>
   std::string
   ContactInterfaces<dim>::obstacle_without_projection() const
@@ -391,6 +409,7 @@ namespace Signorini
     GeometryChange largest;
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
+        // The force of each contact point: its shares of the tractions of the rows.
         std::vector<double> forces;
         for (const auto &shares : rows->shares[i])
           {
@@ -409,6 +428,7 @@ namespace Signorini
 
 
 
+  // In the reference configuration there is no displacement of the last search.
   template <int dim>
   LA::Vector
   ContactInterfaces<dim>::displacement_since_build(const LA::Vector &u) const
@@ -448,6 +468,7 @@ namespace Signorini
     const std::vector<double> approaches = approach_distances(displacement_since_build(u));
     const bool                at_rest    = build_displacement.size() == 0;
     bool                      too_short  = false;
+    // Kept for the search tolerances of the next mesh, see tolerance_from_solution().
     if (at_rest)
       last_approach = approaches;
     for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
@@ -525,6 +546,7 @@ namespace Signorini
 
 
 
+  // Gaps that change with time without any displacement: formulas in t, and moving obstacles.
   template <int dim>
   bool
   ContactInterfaces<dim>::has_time_dependent_gap(const ContactPair<dim> &pair) const
@@ -535,6 +557,8 @@ namespace Signorini
 
 
 
+  // True if the gap operator of another time is no longer valid: gaps depend on time, or with
+  // Nitsche's method loads on the surfaces enter the normal stress.
   template <int dim>
   bool
   ContactInterfaces<dim>::is_outdated() const
@@ -589,6 +613,7 @@ namespace Signorini
 
 
 
+  // Pairs that were not searched, since bounds show that they cannot come into contact.
   template <int dim>
   std::vector<std::string>
   ContactInterfaces<dim>::skipped_items() const
@@ -603,6 +628,7 @@ namespace Signorini
 
 
 
+  // An upper bound of the approach that the scene leads to expect [length], for the first search.
   template <int dim>
   double
   largest_expected_approach(const Scene<dim> &scene, const Mesh<dim> &mesh)

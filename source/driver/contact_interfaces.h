@@ -60,12 +60,14 @@ namespace Signorini
 
     // After build():
 
+    /// The surfaces of the pairs, in the order of the pairs.
     const std::vector<ContactSurface<dim>> &
     surfaces() const
     {
       return my_surfaces;
     }
 
+    /// The gap operator of all pairs together.
     GapOperator &
     gap_operator()
     {

@@ -268,9 +268,11 @@ namespace Signorini
   double
   Equilibrium<dim>::speed_ratio_since(const State &before)
   {
-    constexpr double fast     = 3; // slower ones are no jumps
+    // Ratio of displacement rates above which a step may be a jump.
+    constexpr double fast     = 3;
     const double     duration = state.time - before.time;
-    if (duration == 0) // only the mesh is another
+    // The same time was solved on another mesh.
+    if (duration == 0)
       return 0;
     LA::Vector way = state.displacement;
     way -= before.displacement;
@@ -544,7 +546,8 @@ namespace Signorini
         return decisions.integration_of(pair).rule == Rule::segments;
       });
     const auto &[low, high] = elasticity.mesh().extent().get_boundary_points();
-    constexpr double far    = 1e3; // sizes of the scene
+    // Distance from the origin in sizes of the model.
+    constexpr double far    = 1e3;
     const bool       is_far = (low + (high - low) / 2).norm() > far * low.distance(high);
     my_report.converged     = false;
     my_report.reason =

@@ -103,7 +103,8 @@ namespace Signorini
   {
     for (;;)
       {
-        check_for_interruption(); // behind each search
+        // Each search may have taken long.
+        check_for_interruption();
         solve_with_candidates(t, stopping);
         if (my_report.converged ?
               !contact.search_radius_exceeded(state.displacement) :
@@ -234,6 +235,8 @@ namespace Signorini
 
 
 
+  // Solve the dual problem of a quantity with the transposed linearisation at the solution
+  // (doc/theory, 8.1). Collective.
   template <int dim>
   DualSolution
   FixedConfigurationSolver<dim>::dual(const Functional &functional)
@@ -276,6 +279,7 @@ namespace Signorini
 
 
 
+  // Keep what must outlive the solver: whether its tangent was indefinite, and the count of cycles.
   template <int dim>
   void
   FixedConfigurationSolver<dim>::reset_solver()

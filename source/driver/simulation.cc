@@ -159,6 +159,7 @@ namespace Signorini
 
 
 
+  // For --check: everything up to the first solution, with the preflight report.
   template <int dim>
   void
   Simulation<dim>::preflight()
@@ -179,6 +180,7 @@ namespace Signorini
   {
     {
       TimerOutput::Scope scope(timer, "mesh");
+      // Decisions come before the mesh, whose refinement and degrees they contain.
       if (former)
         restore_decisions();
       problem.make_mesh();

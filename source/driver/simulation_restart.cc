@@ -115,6 +115,7 @@ namespace Signorini
     checkpoints = std::make_unique<Checkpoints>(recorder->directory(), comm);
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
+        // A new run stores its scene with all defaults, from which restarts read it.
         if (!is_restart)
           write_origin(recorder->directory(),
                        origin_of(scene.name, text_with_defaults(problem.decisions)));
@@ -143,6 +144,8 @@ namespace Signorini
 
 
 
+  // The choices of the former run replace those that would be made anew, so that both parts of a
+  // run are the same simulation.
   template <int dim>
   void
   Simulation<dim>::restore_decisions()
@@ -154,6 +157,8 @@ namespace Signorini
 
 
 
+  // Refine the coarse mesh until it has the cells of the checkpoint, and compare it with the stored
+  // mark. Collective.
   template <int dim>
   void
   Simulation<dim>::restore_mesh()
@@ -183,6 +188,7 @@ namespace Signorini
     there.displacement = displacement(part.displacement, "rigid_motion");
     there.contact      = field_of(part.contact, dim);
     there.time         = head.at("state_time");
+    // Only runs whose solution depends on the path have a start of the load step.
     if (head.contains("rigid_motion_at_start"))
       there.start = {displacement(part.start_displacement, "rigid_motion_at_start"),
                      field_of(part.start_contact, dim),
@@ -296,6 +302,8 @@ namespace Signorini
 
 
 
+  // The last state that is known to be good is written once more at the end of a run that failed or
+  // was interrupted, unless it is on the disk already.
   template <int dim>
   void
   Simulation<dim>::write_final_checkpoint()

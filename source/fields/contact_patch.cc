@@ -134,6 +134,8 @@ namespace Signorini
       Moments<dim>
       moments() const
       {
+        // The contact zone is where the level function is positive: the squared pressure at active
+        // nodes, its linear continuation at the others.
         const LA::Vector          level  = s.elasticity.with_ghosts(continued(slopes()));
         const std::vector<double> shares = covered_shares();
         Moments<dim>              result(directions);
@@ -150,6 +152,8 @@ namespace Signorini
             return;
           const double share = shares[&face - surface.slave_faces.data()];
           add_part(nodes, face, values, n_active == n, share, result);
+          // Parts inside of the zone contribute all their nodes to its extent; parts at its edge
+          // also count as edge, with their whole area.
           if (n_active == n && !is_part(face))
             for (const unsigned int node : nodes)
               result.extend(face.positions[node]);
@@ -230,6 +234,7 @@ namespace Signorini
               result[dim](face.nodes[i]) += 1;
             }
         });
+        // Ranks add their contributions at shared nodes.
         for (LA::Vector &v : result)
           v.compress(VectorOperation::add);
         std::vector<LA::Vector> with_ghosts;
@@ -338,7 +343,8 @@ namespace Signorini
       const Snapshot<dim>           &s;
       const ContactSurface<dim>     &surface;
       const std::vector<Point<dim>> &directions;
-      const LA::Vector               squares, status; ///< with ghosts
+      /// Squared pressure and status at nodes, with ghost values.
+      const LA::Vector squares, status;
     };
   } // namespace
 

@@ -28,8 +28,9 @@ namespace Signorini
   FaceVertices<dim>::FaceVertices(const Elasticity<dim>             &elasticity,
                                   const std::vector<SlaveFace<dim>> &faces)
   {
-    const MPI_Comm comm   = elasticity.mesh().communicator();
-    LA::Vector     number = elasticity.zero_vector();
+    const MPI_Comm comm = elasticity.mesh().communicator();
+    // Mark the vertices that any rank uses; their owners count them.
+    LA::Vector number = elasticity.zero_vector();
     for (const SlaveFace<dim> &face : faces)
       for (unsigned int c = 0; c < (face.degree > 0 ? n : 0); ++c)
         number(face.nodes[node(c, face.degree)]) += 1;
@@ -43,6 +44,8 @@ namespace Signorini
     for (unsigned int rank = 0; rank < Utilities::MPI::this_mpi_process(comm); ++rank)
       next += counts[rank];
     const types::global_dof_index first = next;
+    // Replace the marks by consecutive numbers, and read those of the vertices of this rank's
+    // faces.
     for (const auto i : own)
       number(i) = next++;
     number.compress(VectorOperation::insert);
@@ -59,6 +62,7 @@ namespace Signorini
           if (!owned.is_element(my_vertices[f][c]))
             others.push_back(my_vertices[f][c]);
         }
+    // Vertices of other ranks become ghost entries of fields.
     readable.add_indices(others.begin(), others.end());
     layout = std::make_shared<Utilities::MPI::Partitioner>(owned, readable, comm);
   }

@@ -70,6 +70,7 @@ namespace Signorini
           gradients.resize(u.size());
           values[v].get_function_values(ghosted, u);
           values[v].get_function_gradients(ghosted, gradients);
+          // Stresses of each point are compared with the largest ones of its body.
           LargestStresses<dim> &largest = result[mesh.body(cell)];
           for (const unsigned int q : values.quadrature_point_indices())
             {

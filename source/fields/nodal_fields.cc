@@ -91,6 +91,7 @@ namespace Signorini
 
 
 
+  // Distances are counted in steps of the lattice of nodes.
   template <int dim>
   std::vector<unsigned int>
   nearest_free(const SlaveFace<dim> &face, const unsigned int dirichlet_node)
@@ -115,6 +116,7 @@ namespace Signorini
 
 
 
+  // Nodes that carry a pressure on another face (count `free`) are not changed.
   template <int dim>
   void
   fill_dirichlet_nodes(const Snapshot<dim>            &s,
@@ -166,6 +168,7 @@ namespace Signorini
 
 
 
+  // Dirichlet nodes and hanging nodes are filled after the values of all ranks are known.
   template <int dim>
   LA::Vector
   nodal_field(const Snapshot<dim> &snapshot, const LA::Vector &values, const unsigned int pair)

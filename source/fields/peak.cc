@@ -126,11 +126,12 @@ namespace Signorini
       return 0; // hanging, and no node of any face
     const Point<dim> center = around.at(peak).position;
     around.erase(peak);
+    // Only nodes in contact, other than the peak itself, are continued linearly.
     std::vector<NodeValue<dim>> values;
     for (const auto &[node, value] : around)
       if (value.pressure > 0 && value.position.distance(center) > 0)
         values.push_back(value);
-    if (values.size() < dim) // they do not tell a linear function
+    if (values.size() < dim) // too few for a linear function
       return 0;
     return std::abs(1 - linear_continuation(center, values) / largest);
   }

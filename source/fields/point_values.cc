@@ -27,6 +27,7 @@ namespace Signorini
           }
         return values;
       }
+    // Nodal methods: the change of the gap at the points by the displacement of slave and master.
     std::vector<const ContactPoint<dim> *> places;
     for (const ContactPoint<dim> &point : points)
       places.push_back(&point);
@@ -35,6 +36,8 @@ namespace Signorini
     const LA::Vector          p      = s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair));
     for (const ContactPoint<dim> &point : points)
       {
+        // While an interference is resolved step by step, only a fraction of an initial penetration
+        // counts.
         const double share =
           point.gap < 0 && !s.contact.interference.empty() ? s.contact.interference[pair] : 1.;
         const double gap      = share * point.gap + point.gap_offset + *change++;

@@ -42,7 +42,7 @@ namespace Signorini
               const unsigned int    dirichlet_node,
               const unsigned int    near) {
             if (face.under_covered[dirichlet_node])
-              return now(face.nodes[near]); // what the master leaves off has no pressure to go on
+              return now(face.nodes[near]); // no extrapolation beyond the master
             return is_on_axis(face.positions[dirichlet_node]) ?
                      now(face.nodes[dirichlet_node]) :
                      extrapolated(face.nodes[near], face.positions[dirichlet_node]);
@@ -170,10 +170,12 @@ namespace Signorini
         pressure.compress(VectorOperation::insert);
       }
 
-      const Snapshot<dim>          &s;
-      const unsigned int            number_of_pair;
-      const ContactSurface<dim>    &surface;
-      const LA::Vector              raw; ///< all of these with ghosts
+      const Snapshot<dim>       &s;
+      const unsigned int         number_of_pair;
+      const ContactSurface<dim> &surface;
+      /// Nodal pressures before the extrapolation, with ghost values.
+      const LA::Vector raw;
+      /// Results of centers_of_functions() and mean_slopes().
       const std::vector<LA::Vector> centers, slopes;
     };
   } // namespace

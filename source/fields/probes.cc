@@ -332,6 +332,8 @@ namespace Signorini
 
 
 
+  // The rank with the preferred cell evaluates each probe; the sum over ranks distributes the
+  // values.
   template <int dim>
   std::vector<ProbeValue<dim>>
   evaluate_probes(const Elasticity<dim>         &elasticity,
@@ -342,6 +344,8 @@ namespace Signorini
     const LA::Vector                     ghosted = elasticity.with_ghosts(displacement);
     const std::vector<CellLocation<dim>> locations =
       own_places(elasticity, probes, probe_tolerance);
+    // Each rank proposes its closest cell for each probe. All ranks know all proposals, and so the
+    // same winner, without further communication.
     const auto claims = all_claims(locations, comm);
 
     std::vector<ProbeValue<dim>> result(probes.size());
@@ -372,6 +376,8 @@ namespace Signorini
 
 
 
+  // The transpose of evaluate_probes() for one probe: the values and stresses of all shape
+  // functions of the cells that share the point.
   template <int dim>
   LA::Vector
   probe_functional(const Elasticity<dim>       &elasticity,
@@ -386,6 +392,8 @@ namespace Signorini
     LA::Vector     result    = elasticity.zero_vector();
     if (winner(claims, 0) == Utilities::MPI::this_mpi_process(comm))
       {
+        // Values are means over the cells that share the point, so that each cell has the
+        // weight one over their number.
         const auto cells = cells_about(elasticity.mesh().mapping(), locations[0], probe.point);
         std::vector<types::global_dof_index> indices;
         Vector<double>                       weights;

@@ -336,7 +336,9 @@ namespace Signorini
         const SlaveFace<dim> &face      = surface.slave_faces[f];
         const bool            is_smooth = !is_at_edge(face);
         const unsigned int    k = face.degree, rows = dim == 3 ? k + 1 : 1;
-        std::vector<double>   values(face.nodes.size());
+        // Corners first, then the middles of the edges (Hermite interpolation adds an eighth of the
+        // change of slope times the length), then the centre.
+        std::vector<double> values(face.nodes.size());
         for (unsigned int c = 0; c < n; ++c)
           values[Vertices::node(c, k)] = q(vertices[f][c]);
         const auto middle = [&](const unsigned int a, const unsigned int b, const unsigned int m) {
@@ -369,6 +371,7 @@ namespace Signorini
         std::vector<Field> slopes = gradient; // copies have no ghosts
         for (const Field &component : slopes)
           component.update_ghost_values();
+        // The mean over the faces of each node.
         LA::Vector sum = s.elasticity.zero_vector(), count = sum;
         for (unsigned int f = 0; f < surface.slave_faces.size(); ++f)
           {
@@ -403,9 +406,10 @@ namespace Signorini
 
       const Snapshot<dim>       &s;
       const ContactSurface<dim> &surface;
-      const LA::Vector           raw, status; ///< with ghosts
-      const unsigned int         number_of_pair;
-      const Vertices             vertices;
+      /// Nodal pressure and status, with ghost values.
+      const LA::Vector   raw, status;
+      const unsigned int number_of_pair;
+      const Vertices     vertices;
       /// For each vertex int phi_v dA, that over faces at an edge, and that over faces that are
       /// covered partly.
       Field area, open_area, part_area;

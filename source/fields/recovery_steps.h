@@ -89,12 +89,15 @@ namespace Signorini
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>  layout;
   };
 
-  /// Pressures at nodes that carry none of their own, see carries_pressure(), and at their
-  /// neighbours, which take over: what these have is the mean about the center of both functions.
-  /// From there on linearly, by the slopes of the parts of faces beyond; not below zero. On the
-  /// axis of rings nothing is to be done. Collective.
-  /// @param raw pressure as nodal_field()
-  /// @param pressure the values at these nodes are changed
+  /// Set the pressures at nodes without pressure function, and at their neighbours that have
+  /// adopted their functions. The pressure of such a neighbour is the mean around the centre of
+  /// both functions; from there it is extrapolated linearly with the gradients of adjacent parts of
+  /// faces, and not below zero if the pair can separate. Nodes on the axis of axisymmetric models
+  /// are not changed. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  /// @param raw pressure as nodal_field(), without ghost values
+  /// @param pressure whose values at these nodes are changed
   template <int dim>
   void
   extrapolate_to_dirichlet_nodes(const Snapshot<dim> &snapshot,

@@ -115,6 +115,8 @@ namespace Signorini
 
 
 
+  // The rank that has the closest face evaluates all fields there; the sum over ranks distributes
+  // the values.
   template <int dim>
   std::vector<SurfaceValue<dim>>
   evaluate_on_slave(const Snapshot<dim>           &s,
@@ -125,11 +127,13 @@ namespace Signorini
     const Elasticity<dim>   &elasticity = s.elasticity;
     const MPI_Comm           comm       = elasticity.mesh().communicator();
     const BoundaryFaces<dim> faces(elasticity, s.pairs[pair].slave);
-    const auto               own      = project_points(faces, points, probe_tolerance, which, comm);
-    const LA::Vector         pressure = elasticity.with_ghosts(recovered_pressure(s, pair)),
-                     gap              = elasticity.with_ghosts(nodal_field(s, s.gap, pair)),
-                     coverage         = elasticity.with_ghosts(nodal_coverage(s, pair)),
-                     u                = elasticity.with_ghosts(s.displacement);
+    // Closest places on the faces of this rank: the distance is finite only on the rank whose face
+    // is the closest one of all ranks.
+    const auto       own      = project_points(faces, points, probe_tolerance, which, comm);
+    const LA::Vector pressure = elasticity.with_ghosts(recovered_pressure(s, pair)),
+                     gap      = elasticity.with_ghosts(nodal_field(s, s.gap, pair)),
+                     coverage = elasticity.with_ghosts(nodal_coverage(s, pair)),
+                     u        = elasticity.with_ghosts(s.displacement);
 
     std::vector<SurfaceValue<dim>> result(points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
@@ -144,7 +148,7 @@ namespace Signorini
                                  Quadrature<dim>(unit_point<dim>(f, own[i].xi)),
                                  update_values);
             values.reinit(cell);
-            const FEValuesExtractors::Scalar first(0); // nodal fields live there
+            const FEValuesExtractors::Scalar first(0); // nodal fields use the first component
             std::vector<double>              one(1);
             const auto                       scalar = [&](const LA::Vector &field) {
               values[first].get_function_values(field, one);
@@ -155,10 +159,14 @@ namespace Signorini
             value = {own[i].place, moved[0], scalar(pressure), scalar(gap)};
             known = scalar(coverage);
           }
+        // The values of all other ranks are zero, so that the sum is the value of the one that has
+        // the face.
         value.place        = Point<dim>(Utilities::MPI::sum(Tensor<1, dim>(value.place), comm));
         value.displacement = Utilities::MPI::sum(value.displacement, comm);
         value.pressure     = Utilities::MPI::sum(value.pressure, comm);
         value.gap          = Utilities::MPI::sum(value.gap, comm);
+        // The gap is defined only where all nodes of the face have one: the interpolated coverage
+        // is 1 there.
         if (Utilities::MPI::sum(known, comm) < 1 - 1e-6)
           value.gap = std::numeric_limits<double>::quiet_NaN();
       }

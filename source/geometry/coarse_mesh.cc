@@ -49,6 +49,7 @@ namespace Signorini
 
 
 
+  // Manifold ids are numbered consecutively in the order of their occurrence.
   template <int dim>
   CoarseMesh<dim>
   CoarseMesh<dim>::from_triangulation(const Triangulation<dim>                     &triangulation,

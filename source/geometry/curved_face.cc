@@ -79,6 +79,7 @@ namespace Signorini
 
 
 
+  // The derivative of the Coons patch, column by column.
   template <int dim>
   DerivativeForm<1, dim - 1, dim>
   CurvedFace<dim>::push_forward_gradient(const Point<dim - 1> &xi) const

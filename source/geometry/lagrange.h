@@ -174,7 +174,8 @@ namespace Signorini
       return result;
     }
 
-    const unsigned int           k;
-    std::array<LagrangeBasis, m> along; ///< each coordinate
+    const unsigned int k;
+    /// The one-dimensional functions along each coordinate.
+    std::array<LagrangeBasis, m> along;
   };
 } // namespace Signorini

@@ -149,6 +149,7 @@ namespace Signorini
 
 
 
+  // Products of one derivative and values in the other directions.
   template <int dim>
   Tensor<2, dim>
   QuadraticMap<dim>::gradient(const Point<dim> &xi) const

@@ -79,6 +79,8 @@ namespace Signorini
 
 
 
+    // Back substitution with the factors; x and the right-hand side are distributed as the rows.
+    // Collective.
     void
     DirectSolver::solve(Vector &x, const Vector &right) const
     {

@@ -21,6 +21,7 @@ namespace Signorini
 
       ~DirectSolver();
 
+      /// True if Trilinos was built with the library.
       static bool
       is_available(DirectLibrary library);
 
@@ -41,7 +42,8 @@ namespace Signorini
     private:
       const DirectLibrary                   library;
       std::unique_ptr<Epetra_LinearProblem> problem;
-      std::unique_ptr<Amesos_BaseSolver>    solver; ///< looks at problem until it is gone
+      /// Refers to `problem`, which must be destroyed after it.
+      std::unique_ptr<Amesos_BaseSolver> solver;
     };
   } // namespace LA
 } // namespace Signorini

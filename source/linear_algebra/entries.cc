@@ -65,6 +65,7 @@ namespace Signorini
 
 
 
+    // FillComplete() makes the column map from the columns that occur. Collective.
     SparseMatrix
     matrix_of(const std::vector<std::vector<std::pair<types::global_dof_index, double>>> &rows,
               const IndexSet &owned_rows,
@@ -90,6 +91,8 @@ namespace Signorini
 
 
 
+    // Rows are copied with the global columns of `from`, whose distribution of columns the result
+    // has.
     RowBuilder::RowBuilder(const IndexSet &rows, const SparseMatrix &from)
       : from(from)
       , matrix(std::make_unique<Epetra_CrsMatrix>(

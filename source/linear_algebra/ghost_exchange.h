@@ -24,12 +24,14 @@ namespace Signorini
         , sent(partition.n_import_indices())
       {}
 
+      /// The number of elements that this rank owns.
       std::size_t
       n_owned() const
       {
         return partition.locally_owned_size();
       }
 
+      /// The number of copies of elements of other ranks.
       std::size_t
       n_ghosts() const
       {
@@ -43,6 +45,7 @@ namespace Signorini
         return partition.global_to_local(dof);
       }
 
+      /// The inverse of local_index().
       dealii::types::global_dof_index
       dof(const std::uint32_t local_index) const
       {

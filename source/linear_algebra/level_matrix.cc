@@ -32,6 +32,8 @@ namespace Signorini
 
 
 
+    // The columns of Trilinos have another order than the arrays, owned elements followed by
+    // ghosts: `places` maps one to the other.
     LevelMatrix::LevelMatrix(const SparseMatrix &A)
       : A(A)
       , n_rows(A.trilinos_matrix().NumMyRows())
@@ -111,6 +113,7 @@ namespace Signorini
 
 
 
+    // Add values at local columns to the elements of their owners. Collective.
     void
     LevelMatrix::add_columns(const float *values, float *dst) const
     {

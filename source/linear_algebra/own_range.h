@@ -21,24 +21,28 @@ namespace Signorini
         , n(owned.n_elements())
       {}
 
+      /// The number of owned degrees of freedom.
       std::size_t
       size() const
       {
         return n;
       }
 
+      /// True if this rank owns the degree of freedom.
       bool
       has(const Index dof) const
       {
         return dof >= first && dof - first < n;
       }
 
+      /// The index of an owned degree of freedom in arrays of owned elements.
       std::size_t
       local_index(const Index dof) const
       {
         return dof - first;
       }
 
+      /// The inverse of local_index().
       Index
       dof(const std::size_t local_index) const
       {

@@ -60,6 +60,8 @@ namespace Signorini
 
 
 
+    // Aggregates by the library ML (doc/theory, (7.1)). Modes become the columns of a multivector;
+    // the levels are copied, since ML frees its own ones together with the builder. Collective.
     std::vector<CoarseLevel>
     smoothed_aggregation(const SparseMatrix                     &K,
                          const std::vector<std::vector<double>> &modes,
@@ -72,6 +74,7 @@ namespace Signorini
                                                         parameters_of(null_space, n_components));
       const ML                                 &levels = *builder.GetML();
       std::vector<CoarseLevel>                  coarse;
+      // Level 0 is K itself.
       for (int level = 1; level < levels.ML_num_actual_levels; ++level)
         coarse.push_back({copy(levels.Amat[level]), copy(levels.Pmat[level])});
       return coarse;

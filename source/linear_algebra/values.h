@@ -16,6 +16,7 @@ namespace Signorini
       return v.trilinos_vector()[0];
     }
 
+    /// The same array of a vector that is not changed.
     inline const double *
     values_of(const Vector &v)
     {

@@ -15,9 +15,10 @@ namespace Signorini
     /// W with its first and second derivatives by I1, I2, J.
     struct Derivatives
     {
-      double                               value = 0;
-      std::array<double, 3>                first{};
-      std::array<std::array<double, 3>, 3> second{}; ///< symmetric
+      double                value = 0;
+      std::array<double, 3> first{};
+      /// Second derivatives, symmetric.
+      std::array<std::array<double, 3>, 3> second{};
     };
 
     ConstitutiveResponse

@@ -13,6 +13,7 @@ namespace Signorini
 
 
 
+  // The terms in ln J make the reference configuration free of stress with the modulus lambda.
   InvariantEnergy::Derivatives
   MooneyRivlin::derivatives(const double I1, const double I2, const double J) const
   {

@@ -12,6 +12,7 @@ namespace Signorini
 
 
 
+  // First and second derivatives of (6.8) by I1 and J; the energy does not depend on I2.
   InvariantEnergy::Derivatives
   NeoHooke::derivatives(const double I1, const double /*I2*/, const double J) const
   {

@@ -19,6 +19,7 @@ namespace Signorini
 
 
 
+  // Chain rule through i1 and i2, which depend on I1 or I2 and on J.
   InvariantEnergy::Derivatives
   Polynomial::derivatives(const double I1, const double I2, const double J) const
   {

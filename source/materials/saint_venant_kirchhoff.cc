@@ -12,6 +12,7 @@ namespace Signorini
 
 
 
+  // The tangent is constant.
   ConstitutiveResponse
   SaintVenantKirchhoff::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {

@@ -18,8 +18,9 @@ namespace Signorini
     {
       double value = 0;
       /// dW/de, the principal Kirchhoff stresses.
-      std::array<double, 3>                first{};
-      std::array<std::array<double, 3>, 3> second{}; ///< symmetric
+      std::array<double, 3> first{};
+      /// Second derivatives, symmetric.
+      std::array<std::array<double, 3>, 3> second{};
     };
 
     ConstitutiveResponse

@@ -14,6 +14,7 @@ namespace Signorini
 
 
 
+  // Chain rule through i, which depends on I1 and J.
   InvariantEnergy::Derivatives
   Yeoh::derivatives(const double I1, const double /*I2*/, const double J) const
   {

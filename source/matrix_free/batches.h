@@ -18,12 +18,14 @@ namespace Signorini
     /// @param width lanes of a vector; the cells are referred to until drop_points()
     Batches(const KernelCells &cells, unsigned int width);
 
+    /// The number of batches.
     std::size_t
     size() const
     {
       return n_batches;
     }
 
+    /// True if all cells of the batch are affine; such batches are the first ones.
     bool
     is_affine(const std::size_t batch) const
     {
@@ -60,6 +62,7 @@ namespace Signorini
       return &my_geometry[first_of(batch, q)];
     }
 
+    /// The place of these numbers, to be set.
     Number *
     geometry(const std::size_t batch, const unsigned int q)
     {
@@ -88,6 +91,7 @@ namespace Signorini
       order.shrink_to_fit();
     }
 
+    /// The memory of the batches [byte].
     std::size_t
     memory_consumption() const;
 
@@ -112,7 +116,7 @@ namespace Signorini
     Array                      my_geometry, my_material, my_fills;
   };
 
-  /// Cells that have tangents, in batches as Batches are.
+  /// Cells with tangents in batches, as Batches.
   class TangentBatches
   {
   public:
@@ -131,7 +135,8 @@ namespace Signorini
       return &my_nodes[batch * n_nodes * width];
     }
 
-    /// [number][cell]; zero for cells that only fill.
+    /// The tangent of a point of each cell: [number][cell]; zero for cells that only fill up a
+    /// batch.
     const float *
     tangent(const std::size_t batch, const std::size_t point) const
     {

@@ -117,6 +117,7 @@ namespace Signorini
           {
             const Geometry at = geometry(b, q);
             V              G[3][3], S[3][3];
+            // du_c/dx_k from the derivatives in reference coordinates, by the chain rule.
             for (int c = 0; c < 3; ++c)
               for (int k = 0; k < 3; ++k)
                 {
@@ -125,6 +126,8 @@ namespace Signorini
                   G[c][k] = hn::MulAdd(load(g.of[c][2][q]), at.inverse[2][k], G[c][k]);
                 }
             stress(at.weight, G, S);
+            // The transposed of this, so that the result multiplies derivatives of shape functions
+            // in reference coordinates.
             for (int c = 0; c < 3; ++c)
               for (int d = 0; d < 3; ++d)
                 {

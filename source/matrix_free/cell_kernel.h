@@ -31,18 +31,21 @@ namespace Signorini
     /// of its integration points, in reference coordinates and with weights.
     CellTangents tangents;
 
+    /// The number of cells.
     unsigned int
     size() const
     {
       return nodes.size() / nodes_per_cell();
     }
 
+    /// True if the cells have tangents in place of positions and moduli.
     bool
     has_tangents() const
     {
       return !tangents.empty();
     }
 
+    /// The number of nodes of each cell.
     unsigned int
     nodes_per_cell() const
     {

@@ -188,6 +188,7 @@ namespace Signorini
           }
       }
 
+      /// Set the values of all nodes or modes of a batch to zero.
       static HWY_INLINE void
       set_zero(Values &u)
       {
@@ -240,12 +241,14 @@ namespace Signorini
         Values              u, Ku;
         const Number *const of_d = &d.of[0][0][0];
         Number *const of_u = &u.of[0][0][0], *const of_Ku = &Ku.of[0][0][0];
+        // A start vector that varies from node to node without any symmetry.
         for (int k = 0; k < 3 * n_nodes; ++k)
           store(all(Number((k * 7919) % 13) - Number(6.25)), of_u + k * W);
         V       quotient = hn::Zero(Tag<Number>());
         const V tiny     = all(Number(1e-30));
         for (int step = 0; step < n_steps; ++step)
           {
+            // u <- D^-1 K_e u, scaled so that the largest element is one.
             Ku = u;
             apply(Ku);
             V energy = hn::Zero(Tag<Number>()), norm = tiny, next = tiny;
@@ -266,6 +269,7 @@ namespace Signorini
       }
 
     private:
+      /// add_mode<T>() as a function of its own, see add_modes().
       template <int T, typename Kernel, typename Modes>
       static HWY_NOINLINE void
       add_mode_apart(const Kernel &kernel, Modes &modes)
@@ -294,6 +298,7 @@ namespace Signorini
       using Values  = typename Lattice::Values;
 
     public:
+      /// dst += K src over all cells of this rank, batch after batch. @param dst,src local arrays
       void
       add_product(Number *dst, const Number *src) const override
       {
@@ -306,6 +311,7 @@ namespace Signorini
           }
       }
 
+      /// dst += the diagonals of the element matrices.
       void
       add_diagonal(Number *dst) const override
       {
@@ -317,6 +323,7 @@ namespace Signorini
           }
       }
 
+      /// Raise each element of dst to the largest eigenvalue of D^-1 K_e of the cells around it.
       void
       enlarge_by_eigenvalues(Number *dst) const override
       {

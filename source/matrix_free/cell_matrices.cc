@@ -31,6 +31,7 @@ namespace Signorini
     const auto          kernel = CellKernel<double>::create(apart);
     std::vector<double> u(std::size_t(n_dofs) * which.size(), 0.);
     columns.resize(n_dofs, u);
+    // Set degree of freedom j of all cells to one, and all others to zero.
     for (unsigned int j = 0; j < n_dofs; ++j)
       {
         for (std::size_t at = j; at < u.size(); at += n_dofs)

@@ -7,21 +7,21 @@
 
 namespace Signorini
 {
-  /// The stiffness matrices of some cells by their kernel: column by column, of all cells at a
-  /// time, as if they had no nodes in common.
+  /// The stiffness matrices of some cells by their kernel: one column of all of them at a time, by
+  /// a product in which the cells share no nodes.
   class CellMatrices
   {
   public:
     /// @param which numbers among the cells
     CellMatrices(const KernelCells &cells, const std::vector<unsigned int> &which);
 
-    /// Of the k-th of them, with three components a node: row 3 i + c is that of component c of
-    /// node i.
+    /// The matrix of the k-th selected cell; row 3 i + c belongs to component c of node i.
     dealii::FullMatrix<double>
     matrix(unsigned int k) const;
 
   private:
-    const unsigned int               n_dofs;  ///< of a cell
+    /// Degrees of freedom of each cell.
+    const unsigned int               n_dofs;
     std::vector<std::vector<double>> columns; ///< [column][cell, row]
   };
 } // namespace Signorini

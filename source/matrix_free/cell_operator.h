@@ -10,17 +10,17 @@
 
 namespace Signorini
 {
-  /// K by kernels for the cells of a space, with hanging nodes condensed and prescribed
-  /// displacements eliminated; on its diagonal also the space's terms, and the plain stiffness
-  /// where a degree of freedom is constrained.
+  /// The stiffness K of a space by kernels for its cells, with hanging nodes condensed and
+  /// prescribed displacements eliminated; its diagonal has also the given diagonal terms, and the
+  /// stiffness of the cells at constrained degrees of freedom.
   template <typename Number>
   class CellOperator : public StiffnessOperator<Number>
   {
   public:
-    /// The space is not needed any more afterwards.
+    /// The space is not referred to afterwards. Collective.
     explicit CellOperator(const CellSpace &space);
 
-    /// The space has other tangents now. Collective.
+    /// Use the new tangents of the same space. Collective.
     void
     update(const CellSpace &space);
 
@@ -33,7 +33,7 @@ namespace Signorini
       return my_diagonal;
     }
 
-    /// From the eigenvalues of cells.
+    /// Estimated from the largest eigenvalues of cells.
     std::vector<Number>
     row_l1_norms() const override;
 
@@ -50,13 +50,14 @@ namespace Signorini
     }
 
   private:
-    const dealii::IndexSet                           my_owned;
-    const MPI_Comm                                   comm;
-    LocalVectors<Number>                             vectors;
-    std::vector<std::unique_ptr<CellKernel<Number>>> kernels; ///< one a degree
+    const dealii::IndexSet my_owned;
+    const MPI_Comm         comm;
+    LocalVectors<Number>   vectors;
+    /// One for each degree.
+    std::vector<std::unique_ptr<CellKernel<Number>>> kernels;
     std::vector<Number>                              my_diagonal;
 
-    /// What is on the diagonal beyond the cells: local number, value.
+    /// Diagonal terms in addition to the cells: (local number, value).
     std::vector<std::pair<std::uint32_t, Number>> terms;
   };
 } // namespace Signorini

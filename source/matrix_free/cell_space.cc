@@ -142,9 +142,10 @@ namespace Signorini
     const auto for_each = [&](const auto &act) {
       for (const KernelCells &cells : space.cells)
         for (unsigned int cell = 0; cell < cells.size(); ++cell)
-          // Indices of other ranks that rows may be written to.
           act(cells, cell);
     };
+    // Indices of other ranks that rows may be written to: degrees of freedom of the cells, and
+    // those on which constrained ones of these depend.
     for_each([&](const KernelCells &cells, const unsigned int cell) {
       for (const auto dof : dofs_of(cells, cell))
         {
@@ -157,6 +158,7 @@ namespace Signorini
     IndexSet relevant = space.owned;
     relevant.add_indices(others.begin(), others.end());
     LA::SparsityPattern pattern(space.owned, space.owned, relevant, space.comm);
+    // The pattern, with all diagonal entries: diagonal terms are added to them.
     for_each([&](const KernelCells &cells, const unsigned int cell) {
       space.constraints.add_entries_local_to_global(dofs_of(cells, cell), pattern, false);
     });
@@ -164,6 +166,7 @@ namespace Signorini
       pattern.add(i, i);
     pattern.compress();
     K.reinit(pattern);
+    // Add the element matrices, with their constraints condensed.
     for (const KernelCells &cells : space.cells)
       {
         std::vector<unsigned int> all(cells.size());

@@ -11,6 +11,7 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // The product is in an array of the operator that is valid until its next product; it is copied.
   void
   CellStiffness::vmult(LA::Vector &dst, const LA::Vector &src) const
   {
@@ -114,6 +115,7 @@ namespace Signorini
 
 
 
+  // The whole matrix replaces single rows, of which it is a superset.
   const LA::SparseMatrix &
   CellStiffness::matrix() const
   {
@@ -129,6 +131,8 @@ namespace Signorini
 
 
 
+  // With a new version, preconditioners are rebuilt for the new K; matrices of the former K are
+  // discarded.
   void
   CellStiffness::has_changed()
   {

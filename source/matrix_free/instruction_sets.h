@@ -10,9 +10,9 @@ namespace Signorini
   std::vector<std::string>
   instruction_sets();
 
-  /// Highway's choice, narrowed to one set while there is such an object: that of a name, or of the
-  /// environment's SIGNORINI_INSTRUCTION_SET; the best one if both are empty. Throws SceneError if
-  /// there is no such set.
+  /// Restricts Highway's choice to one instruction set during its lifetime: the one named, or that
+  /// of the environment variable SIGNORINI_INSTRUCTION_SET; no restriction if both are empty.
+  /// Throws SceneError if there is no such set.
   class ForcedInstructionSet
   {
   public:

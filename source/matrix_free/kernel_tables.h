@@ -3,8 +3,8 @@
 
 namespace Signorini
 {
-  /// One-dimensional functions on [0, 1] at the points of Gauss' rule with as many points as there
-  /// are functions: those of a degree through equidistant nodes.
+  /// One-dimensional shape functions on [0, 1], through equidistant nodes, at the points of the
+  /// Gauss rule with as many points as functions.
   template <typename Number, int degree>
   struct KernelTables
   {
@@ -12,14 +12,17 @@ namespace Signorini
 
     KernelTables();
 
-    Number values[n][n];      ///< [point][node]: of the functions
-    Number derivatives[n][n]; ///< [point][other]: of the polynomials that are one at one point
-    Number weights[n];        ///< of the points
+    /// [point][node]: values of the shape functions.
+    Number values[n][n];
+    /// [point][other point]: derivatives of the polynomials through the Gauss points.
+    Number derivatives[n][n];
+    /// Quadrature weights.
+    Number weights[n];
   };
 
-  /// Functions of that degree as combinations of Legendre's polynomials L_i(2 x - 1), with
-  /// coefficients kappa_i m_i so that the m_i come from values at the nodes by small integers (see
-  /// to_modes()): kappa = 1/2, 1/2; or 1/6, 1/2, 1/3.
+  /// Scaling of the Legendre polynomials L_i(2 x - 1): functions of the degree have coefficients
+  /// kappa_i m_i, where the m_i follow from values at the nodes by small integers (see to_modes());
+  /// kappa = 1/2, 1/2 for degree 1, and 1/6, 1/2, 1/3 for degree 2.
   template <typename Number, int degree>
   struct Legendre;
 

@@ -29,6 +29,7 @@ namespace Signorini
     template <typename Number>
     constexpr int width = hn::MaxLanes(Tag<Number>());
 
+    /// Load the lanes of a vector from aligned memory.
     template <typename Number>
     HWY_INLINE Lanes<Number>
                load(const Number *from)
@@ -36,6 +37,7 @@ namespace Signorini
       return hn::Load(Tag<Number>(), from);
     }
 
+    /// Store the lanes of a vector to aligned memory.
     template <typename Number>
     HWY_INLINE void
     store(const Lanes<Number> x, Number *to)
@@ -43,6 +45,7 @@ namespace Signorini
       hn::Store(x, Tag<Number>(), to);
     }
 
+    /// The same number in all lanes.
     template <typename Number>
     HWY_INLINE Lanes<Number>
                all(const Number x)

@@ -43,13 +43,15 @@ namespace Signorini
       return exchange->dof(local_index);
     }
 
-    /// Calls act(degree of freedom, weight) for what the element of C u at a place is the sum of.
+    /// Calls act(degree of freedom, weight) for each element of u in the sum that is the element of
+    /// C u at the local index.
     template <typename Action>
     void
     for_each_element(std::uint32_t local_index, const Action &act) const;
 
-    /// The array of C u with the elements of u that this rank owns; constrained ones do not count.
-    /// Collective. Valid, as the other one, until the next call. One more element may be read.
+    /// The array of C u, with its ghosts, from the elements of u that this rank owns; the values of
+    /// constrained ones are ignored. Collective. Valid until the next call; one element beyond the
+    /// end may be read.
     const Number *
     resolve(const Number *u) const;
 
@@ -57,21 +59,22 @@ namespace Signorini
     Number *
     zero() const;
 
-    /// C^T f of the degrees of freedom of this rank, with the array f that zero() returned, in its
-    /// place; zero at constrained elements. Collective.
+    /// C^T f of the degrees of freedom that this rank owns, in the place of the array f that zero()
+    /// returned; zero at constrained elements. Collective.
     Number *
     condense() const;
 
-    /// The same for the diagonal f of a matrix, without the products of different elements, and
-    /// with constrained elements left as they are.
+    /// condense() for the diagonal f of a matrix: with squared weights, and with constrained
+    /// elements left as they are. Collective.
     Number *
     condense_diagonal() const;
 
-    /// The largest of f on all ranks, without regard to constraints.
+    /// The largest value of f over all ranks, for degrees of freedom that this rank owns; without
+    /// regard to constraints. Collective.
     Number *
     largest() const;
 
-    /// Places of constrained elements of this rank.
+    /// Local indices of the constrained elements that this rank owns.
     const std::vector<std::uint32_t> &
     owned_constrained() const
     {

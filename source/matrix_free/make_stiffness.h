@@ -9,10 +9,11 @@
 
 namespace Signorini
 {
-  /// The form that is asked for, or the quicker one: without a matrix in space, where there are
-  /// coarser levels (bodies of degree two, or cells that were refined), and nobody needs the matrix
-  /// anyway. Throws SceneError if there is no code for what is asked for.
-  /// @param is_to_be_refined the mesh in question is not the present one, but one that it becomes
+  /// The wanted form of the stiffness, or the faster one: matrix-free in space if there are coarser
+  /// levels (degree two, or refined cells) or nonlinear bodies and the matrix is not needed
+  /// otherwise. Throws SceneError if the wanted form is not available.
+  /// @param needs_matrix the preconditioner needs the assembled matrix
+  /// @param is_to_be_refined the choice is for a mesh that will be refined from the present one
   template <int dim>
   StiffnessForm
   choose_form(const std::optional<StiffnessForm> &wanted,
@@ -20,7 +21,7 @@ namespace Signorini
               const Elasticity<dim>              &elasticity,
               bool                                is_to_be_refined = false);
 
-  /// K on the present mesh. Refers to the elasticity. Collective.
+  /// Make the stiffness K on the present mesh. Refers to the elasticity. Collective.
   template <int dim>
   std::unique_ptr<const Stiffness>
   make_stiffness(StiffnessForm form, Elasticity<dim> &elasticity);

@@ -42,8 +42,7 @@ namespace Signorini
     public:
       explicit MeanTangentKernel(const KernelCells &cells)
         : batches(cells, W)
-      // Integrals of products of derivatives of each shape function over the unit cell, for the
-      // diagonals.
+      // Integrals for diagonals; they are over the unit cell.
       {
         for (int i = 0; i < n_nodes; ++i)
           for (int d = 0; d < 3; ++d)
@@ -85,8 +84,7 @@ namespace Signorini
         Lattice::from_all_modes(modes.f, u);
       }
 
-      /// Add to the forces the contribution of the gradient's component along L_T, see
-      /// Kernel::add_mode(); components whose degree is already the highest vanish.
+      /// Add to f the gradient's component along L_T, see Kernel::add_mode().
       template <int T>
       HWY_INLINE void
       add_mode(Modes &modes) const

@@ -5,10 +5,11 @@
 
 namespace Signorini
 {
-  /// A kernel for cells that have tangents, which are in single precision: what a Newton step lacks
-  /// by that is less than it is solved to. With one tangent a cell it makes use of Legendre's
-  /// polynomials, and needs fewer operations than isotropic elasticity does, since the geometry is
-  /// in the tangent; with one a point it is exact. Parameters as CellKernel::create() has them.
+  /// A kernel for cells with tangents, which are stored in single precision: their rounding is far
+  /// below the accuracy of a Newton step. With one tangent for each cell it uses Legendre
+  /// polynomials, and fewer operations than isotropic elasticity, since the geometry is in the
+  /// tangent; with one for each point it is the exact tangent. Parameters as of
+  /// CellKernel::create().
   template <typename Number>
   std::unique_ptr<CellKernel<Number>>
   make_tangent_kernel(const KernelCells &cells, const std::string &instruction_set);

@@ -8,23 +8,24 @@
 
 namespace Signorini
 {
-  /// The tangent of bodies that deform by any amount. Products in double precision have the
-  /// tangents of all points of integration, the finest level of multigrid their means over cells:
-  /// there they need be read once a cell, and coarser levels have no more either.
+  /// The tangent stiffness of bodies at finite strain, matrix-free. Products in double precision
+  /// use the tangents of all integration points; the finest multigrid level uses their means over
+  /// cells, as the coarser levels do, which have to be read only once for each cell.
   class TangentStiffness : public CellStiffness
   {
   public:
-    /// The tangent of the undeformed bodies, until it is linearised elsewhere. Keeps references to
-    /// the elasticity, whose bodies all have a stored energy, and to the kernel. Collective.
+    /// The tangent is that of the undeformed bodies until it is linearised elsewhere. Keeps
+    /// references to the elasticity and to the kernel. Collective.
     TangentStiffness(const Elasticity<3> &elasticity, DeformationKernel<3> &kernel);
 
-    /// The tangents of the points at u. Returns the name of a body of which cells of this rank are
-    /// folded there: then nothing has changed, and all ranks are to be told. Empty: none.
+    /// Evaluate the tangents of the integration points at u. Not collective.
     /// @param u with ghosts, satisfies the constraints
+    /// @return the name of a body of which cells on this rank are inverted; then nothing has
+    /// changed, and the caller informs the other ranks. Empty: there are none
     std::string
     evaluate(const LA::Vector &u);
 
-    /// Linearise where it was evaluated. Collective.
+    /// Linearise at the displacement of the last evaluate(). Collective.
     void
     update();
 
@@ -40,9 +41,12 @@ namespace Signorini
 
   private:
     DeformationKernel<3> &kernel;
-    CellSpace             space;               ///< its tangents are there in between only
-    LA::Vector            next;                ///< where it was evaluated
-    LA::Vector            linearisation_point; ///< where it is linearised
-    CellTangents          means;
+    /// Cells and constraints; it has tangents only between evaluate() and update().
+    CellSpace space;
+    /// The displacement of the last evaluate().
+    LA::Vector next;
+    /// The displacement of the last update().
+    LA::Vector   linearisation_point;
+    CellTangents means;
   };
 } // namespace Signorini

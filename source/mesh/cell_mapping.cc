@@ -74,6 +74,8 @@ namespace Signorini
                                  const unsigned int node,
                                  const unsigned int degree) const
   {
+    // FE_Q numbers its nodes by vertices, then lines, then quadrilaterals, then the interior, which
+    // never hangs.
     const unsigned int n_vertices = cell->n_vertices(), of_line = degree - 1,
                        n_on_lines = of_line * cell->n_lines();
     if (node < n_vertices)
@@ -148,6 +150,7 @@ namespace Signorini
       return false;
     };
 
+    // Positions are computed by the owner of each cell, which has all of its neighbours.
     bool any_folds = false;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() &&
@@ -187,6 +190,8 @@ namespace Signorini
 
 
 
+  // Materials have either the degree of the mapping or are straight: then their vertices are
+  // enough.
   template <int dim>
   typename CellMapping<dim>::Nodes
   CellMapping<dim>::nodes_on_manifolds(const Cell &cell) const
@@ -218,6 +223,8 @@ namespace Signorini
           const auto parent = cell->parent();
           if (of_parent.empty())
             of_parent = support_points(nodes(parent, hanging));
+          // The position of the node in the reference cell of the parent follows from the number of
+          // the child. Differences to the first node avoid cancellation far from the origin.
           unsigned int child = 0;
           while (parent->child_index(child) != cell->index())
             ++child;
@@ -233,6 +240,7 @@ namespace Signorini
 
 
 
+  // Straight cells are interpolated from their vertices by d-linear functions.
   template <int dim>
   typename CellMapping<dim>::Nodes
   CellMapping<dim>::support_points(Nodes nodes) const
@@ -267,6 +275,8 @@ namespace Signorini
 
 
 
+  // Stored positions exist for active cells with hanging nodes only; all other cells follow their
+  // manifolds.
   template <int dim>
   std::vector<Point<dim>>
   CellMapping<dim>::compute_mapping_support_points(const Cell &cell) const
@@ -289,6 +299,8 @@ namespace Signorini
     const typename Mapping<dim>::InternalDataBase             &data,
     internal::FEValuesImplementation::MappingRelatedData<dim> &output) const
   {
+    // A cell that is a translation of the previous one by its vertices may differ from it by moved
+    // nodes, so that similarities are not used.
     return MappingQ<dim>::fill_fe_values(
       cell, moved->places.empty() ? similarity : CellSimilarity::none, quadrature, data, output);
   }

@@ -101,6 +101,7 @@ namespace Signorini
 
 
 
+  // Uniform refinement of all bodies, then cells at contact surfaces, then refinement regions.
   template <int dim>
   void
   Mesh<dim>::refine_initially(

@@ -35,6 +35,7 @@ namespace Signorini
 
 
 
+  // Images of all points, sorted for nearest().
   template <int dim>
   InvertibleMap<dim>::InvertibleMap(const VectorExpression<dim>   &F,
                                     const std::vector<Point<dim>> &points)
@@ -117,6 +118,7 @@ namespace Signorini
 
 
 
+  // Columns by central differences.
   template <int dim>
   Tensor<2, dim>
   InvertibleMap<dim>::gradient(const Point<dim> &X) const
@@ -172,6 +174,7 @@ namespace Signorini
 
 
 
+  // It ends at rounding, at a singular gradient, or when no step reduces the residual.
   template <int dim>
   std::optional<Point<dim>>
   InvertibleMap<dim>::solve(const Point<dim> &x, Point<dim> X) const

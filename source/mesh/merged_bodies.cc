@@ -95,6 +95,7 @@ namespace Signorini
     CoarseMesh<dim> all;
     for (const auto &[name, body] : bodies)
       {
+        // Generate the coarse mesh, with merged cells if it can be refined again, and transform it.
         my_least_levels.push_back(merges_cells ? body.generator->possible_merges() : 0);
         CoarseMesh<dim> one        = body.generator->generate_merged(my_least_levels.back());
         bool            has_curves = body.generator->curved();
@@ -108,6 +109,7 @@ namespace Signorini
           degree_of_surfaces = 4;
 
         my_temperature.append(one.cells, body.generator->temperature());
+        // Manifolds, vertices and boundary ids continue those of the bodies before.
         const types::manifold_id first_manifold =
           all.manifolds.empty() ? 0 : all.manifolds.rbegin()->first + 1;
         for (const auto &[id, manifold] : one.manifolds)
@@ -128,6 +130,7 @@ namespace Signorini
         append(all.cells, one.cells);
         append(all.faces.boundary_lines, one.faces.boundary_lines);
         append(all.faces.boundary_quads, one.faces.boundary_quads);
+        // Names of boundaries, with their facets in the scale of the transformed mesh.
         for (unsigned int i = 0; i < one.boundaries.size(); ++i)
           {
             boundary_names.push_back(name + "." + one.boundaries[i]);
@@ -152,6 +155,8 @@ namespace Signorini
   Mesh<dim>::find_pieces(const CoarseMesh<dim> &coarse)
   {
     piece_of_coarse_cell = pieces_of(coarse.cells, coarse.vertices.size());
+    // Pieces are numbered in the order of their first cells, so that a cell with the next number
+    // begins a new piece.
     std::vector<unsigned int> of_body(n_bodies());
     for (unsigned int c = 0; c < coarse.cells.size(); ++c)
       {
@@ -167,6 +172,7 @@ namespace Signorini
           my_pieces[piece_of_coarse_cell[c]].extent.merge_with(
             BoundingBox<dim>({coarse.vertices[v], coarse.vertices[v]}));
       }
+    // Pieces of one body follow each other; k counts within the body.
     for (unsigned int i = 0, k = 1; i < my_pieces.size(); ++i, ++k)
       {
         BodyPiece<dim> &piece = my_pieces[i];

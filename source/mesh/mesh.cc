@@ -71,6 +71,8 @@ namespace Signorini
 
 
 
+  // Without a choice p4est is used if the coarse mesh is small or is refined uniformly, otherwise
+  // METIS.
   template <int dim>
   bool
   MeshSettings<dim>::by_p4est(const std::size_t n_coarse_cells) const
@@ -123,6 +125,7 @@ namespace Signorini
 
 
 
+  // Straight bodies, and all bodies with a geometry degree of the scene, keep theirs.
   template <int dim>
   void
   Mesh<dim>::set_degrees(const std::vector<unsigned int> &degrees)
@@ -145,6 +148,8 @@ namespace Signorini
   {
     const bool            is_refinable = settings.distribution != Distribution::METIS;
     const CoarseMesh<dim> coarse       = merge(bodies, is_refinable);
+    // A geometry degree of the scene replaces the degrees of all bodies and of the surfaces in
+    // gaps.
     if (settings.geometry_degree > 0)
       {
         degree_of_surfaces = settings.geometry_degree;
@@ -158,6 +163,7 @@ namespace Signorini
     for (const auto &[slave, master] : contact_surfaces)
       slaves.insert(boundary_ids(slave).begin(), boundary_ids(slave).end());
 
+    // Weights must be defined before the first partitioning, and slaves known before the weights.
     if (settings.by_p4est(coarse.cells.size()))
       {
         tria = std::make_unique<parallel::distributed::Triangulation<dim>>(comm);
@@ -173,11 +179,14 @@ namespace Signorini
         create(serial, coarse);
         number_coarse_cells(serial);
         refine_initially(serial, bodies, settings, contact_surfaces);
+        // Cells on both sides of a pair should be on the same rank.
         std::vector<std::pair<BoundaryIds, BoundaryIds>> pairs;
         for (const auto &[slave, master] : contact_surfaces)
           if (!master.empty())
             pairs.emplace_back(boundary_ids(slave), boundary_ids(master));
         partition_by_metis(serial, Utilities::MPI::n_mpi_processes(comm), pairs);
+        // Each rank keeps its own part with ghost cells. Manifolds are not a part of the
+        // description.
         const auto description =
           TriangulationDescription::Utilities::create_description_from_triangulation(serial, comm);
         auto distributed = std::make_unique<parallel::fullydistributed::Triangulation<dim>>(comm);
@@ -193,6 +202,7 @@ namespace Signorini
 
 
 
+  // Manifolds must exist before cells refer to them.
   template <int dim>
   void
   Mesh<dim>::create(Triangulation<dim> &triangulation, const CoarseMesh<dim> &coarse) const
@@ -253,6 +263,7 @@ namespace Signorini
           known.push_back(start + set);
         if (name.compare(0, start.size(), start) != 0)
           continue;
+        // Names of sets have the form BODY.SET. A set without nodes counts as unknown.
         NodeSet<dim> nodes = generators[body]->node_set(name.substr(start.size()));
         for (auto &places : nodes)
           for (NodeLocation<dim> &place : places)
@@ -266,6 +277,7 @@ namespace Signorini
 
 
 
+  // A body itself, or a set of cells of its generator.
   template <int dim>
   std::set<types::coarse_cell_id>
   Mesh<dim>::cell_set(const std::string &name) const
@@ -289,6 +301,7 @@ namespace Signorini
 
 
 
+  // p4est reorders coarse cells. Lists by the order of creation become lists by coarse-cell ids.
   template <int dim>
   void
   Mesh<dim>::number_coarse_cells(const Triangulation<dim> &triangulation)
@@ -332,6 +345,7 @@ namespace Signorini
 
 
 
+  // Bounding boxes of the vertices of all ranks, in the reference configuration.
   template <int dim>
   void
   Mesh<dim>::measure()

@@ -43,6 +43,8 @@ namespace Signorini
 
 
 
+  // All points are mapped back by the inverse of F, the base manifold finds the new point, and F
+  // maps it forward: x = F(base(F^-1(x_1), F^-1(x_2), ...)).
   template <int dim>
   Point<dim>
   TransformedManifold<dim>::get_intermediate_point(const Point<dim> &p1,
@@ -65,6 +67,7 @@ namespace Signorini
 
 
 
+  // As for one new point, but the surrounding points are mapped back only once.
   template <int dim>
   void
   TransformedManifold<dim>::get_new_points(const Points           &surrounding,
@@ -90,6 +93,7 @@ namespace Signorini
 
 
 
+  // The tangent of the base manifold is pushed forward by the gradient of F.
   template <int dim>
   Tensor<1, dim>
   TransformedManifold<dim>::get_tangent_vector(const Point<dim> &x1, const Point<dim> &x2) const
@@ -216,6 +220,8 @@ namespace Signorini
     if (!is_curved && map->is_affine())
       return false;
 
+    // Each manifold id, also that of flat parts, gets its own transformed manifold. Former
+    // manifolds become the bases.
     complete_faces(mesh);
     const auto                                       former = std::move(mesh.manifolds);
     std::map<types::manifold_id, types::manifold_id> new_ids;

@@ -155,6 +155,7 @@ namespace Signorini
                        const std::vector<Point<dim>>        &vertices)
   {
     namespace bgi = boost::geometry::index;
+    // Only nodes at the boundary can hang.
     std::vector<bool> at_boundary(vertices.size());
     for (const auto &face : boundary_faces)
       for (const unsigned int vertex : face.vertices)
@@ -173,6 +174,7 @@ namespace Signorini
                              b = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)];
           if (!at_boundary[a] || !at_boundary[b])
             continue;
+          // The candidates are the nodes in the bounding box of the edge.
           const Tensor<1, dim> edge   = vertices[b] - vertices[a];
           const double         length = edge.norm();
           BoundingBox<dim>     box({vertices[a], vertices[a]});

@@ -30,6 +30,8 @@ namespace Signorini
 
 
 
+  // Collect the vertices of all faces of the boundary, those of the file and inserted ones
+  // separately.
   template <int dim>
   void
   CurvedBoundary<dim>::apply(Triangulation<dim>                 &triangulation,

@@ -36,6 +36,8 @@ namespace Signorini
 
 
 
+  // Elements of first order, and those of second order with straight, evenly divided edges, need no
+  // manifold.
   template <int dim>
   unsigned int
   curve_cells(Triangulation<dim>                           &triangulation,

@@ -86,6 +86,8 @@ namespace Signorini
 
 
 
+  // Groups with the face itself, then node sets with all its corners; with given boundaries the
+  // first one counts.
   std::set<unsigned int>
   FaceNames::operator()(const MeshFile::Nodes &part_of_face) const
   {
@@ -107,6 +109,8 @@ namespace Signorini
 
 
 
+  // Nodes of a set that are on no face with all corners in the set are counted, unless that holds
+  // for all of them: then the set is not meant as a boundary.
   std::vector<std::string>
   FaceNames::notes(const std::vector<MeshFile::Nodes> &faces,
                    const std::set<unsigned int>       &part_nodes) const

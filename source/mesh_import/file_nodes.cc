@@ -53,6 +53,8 @@ namespace Signorini
 
 
 
+  // Vertices of cells, then nodes between the corners of elements that have not been divided, then
+  // the sets that contain any of these.
   template <int dim>
   FileNodes<dim>::FileNodes(const MeshFile                               &file,
                             const std::vector<CellData<dim>>             &cells,
@@ -65,11 +67,14 @@ namespace Signorini
     numbers        = file.numbers;
     first_inserted = file.first_inserted;
     std::set<unsigned int> known;
+    // Nodes that are vertices of cells.
     for (const auto &cell : cells)
       {
         corners.emplace_back(cell.vertices.begin(), cell.vertices.end());
         known.insert(cell.vertices.begin(), cell.vertices.end());
       }
+    // Nodes within edges, faces or the element itself are identified by the sorted corners around
+    // them.
     for (const MeshFile::Element *element : elements)
       for (unsigned int i = n_corners(element->shape);
            element->shape == cell_shape<dim> && i < element->nodes.size();
@@ -81,6 +86,7 @@ namespace Signorini
           between[element->nodes[i]] = sorted(of_node);
           known.insert(element->nodes[i]);
         }
+    // A set keeps those of its nodes that exist in this mesh.
     for (const auto &group : file.groups)
       {
         std::set<unsigned int> here;
@@ -136,6 +142,7 @@ namespace Signorini
   NodeSet<dim>
   FileNodes<dim>::find(const std::string &name) const
   {
+    // Sort the nodes of the set by whether they are corners or middles.
     const Nodes                          nodes = nodes_called(name);
     std::map<unsigned int, unsigned int> at_corner; // index into the set
     std::map<Nodes, unsigned int>        at_middle;
@@ -157,6 +164,7 @@ namespace Signorini
           if (const auto found = at_corner.find(corners[c][v]); found != at_corner.end())
             result[found->second].push_back(
               {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= first_inserted});
+        // A cell is searched for middles only if at least two of its corners surround one.
         const auto n_near =
           std::count_if(corners[c].begin(), corners[c].end(), [&](const unsigned int node) {
             return near_middle.count(node) > 0;

@@ -38,10 +38,13 @@ namespace Signorini
   private:
     using Nodes = MeshFile::Nodes;
 
-    unsigned int                  first_inserted = -1; ///< as in MeshFile
-    std::vector<Nodes>            corners;             ///< of the cells, in deal.II's order
-    std::map<unsigned int, Nodes> between; ///< the corners of which a node is the middle, in order
-    std::map<std::string, Nodes>  sets;
+    /// As MeshFile::first_inserted.
+    unsigned int first_inserted = -1;
+    /// The vertices of the cells, in deal.II's order, as indices of nodes of the file.
+    std::vector<Nodes> corners;
+    /// For each mid-side node its surrounding corners, sorted.
+    std::map<unsigned int, Nodes>                                        between;
+    std::map<std::string, Nodes>                                         sets;
     std::map<std::string, std::unordered_map<std::size_t, unsigned int>> numbers;
     Nodes
     nodes_called(const std::string &name) const;

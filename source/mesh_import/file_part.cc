@@ -117,6 +117,7 @@ namespace Signorini
                        const std::vector<const MeshFile::Element *> &elements,
                        const std::vector<Point<dim>>                &vertices)
     {
+      // Sort cells by their sorted corners, so that equal ones are neighbours.
       using Corners = std::array<unsigned int, GeometryInfo<dim>::vertices_per_cell>;
       std::vector<std::pair<Corners, unsigned int>> all(cells.size());
       for (unsigned int c = 0; c < cells.size(); ++c)
@@ -228,6 +229,7 @@ namespace Signorini
       std::set<unsigned int>                                      all;
       for (unsigned int f = 0; f < faces.size(); ++f)
         {
+          // Group the faces by their sets of names.
           const std::set<unsigned int> of_face = names(faces[f].vertices);
           named[of_face].push_back(f);
           all.insert(of_face.begin(), of_face.end());
@@ -235,6 +237,7 @@ namespace Signorini
       const std::vector<unsigned int> unnamed = std::move(named[{}]);
       named.erase(std::set<unsigned int>());
 
+      // Faces with names get one boundary id for each set of names.
       Names result;
       for (const unsigned int name : all)
         result.boundaries.push_back(names.name(name));
@@ -252,6 +255,7 @@ namespace Signorini
           result.add({result.index("unnamed")}, unnamed, faces);
           return result;
         }
+      // Faces without a name are divided at the feature angle.
       std::vector<CellData<dim - 1>> nameless;
       for (const unsigned int f : unnamed)
         nameless.push_back(faces[f]);
@@ -345,6 +349,7 @@ namespace Signorini
 
 
 
+  // See the order of the steps below.
   template <int dim>
   FilePart<dim>::FilePart(const MeshFile &file, const FileSelection &selection)
     : vertices(vertices_of<dim>(file))

@@ -40,7 +40,8 @@ namespace Signorini
   template <int dim>
   struct FilePart
   {
-    std::vector<dealii::CellData<dim>> cells; ///< in the order of `elements`, oriented
+    /// In the order of `elements`, with positive orientation.
+    std::vector<dealii::CellData<dim>> cells;
     std::vector<dealii::Point<dim>>    vertices;
     /// All boundary faces, with their boundary ids.
     dealii::SubCellData faces;

@@ -52,9 +52,10 @@ namespace Signorini
     reject_cracks() const;
 
   private:
-    const std::vector<dealii::CellData<dim>>          &cells;
-    const std::vector<dealii::Point<dim>>             &vertices;
-    std::vector<std::pair<unsigned int, unsigned int>> pairs; ///< the lower number first, in order
+    const std::vector<dealii::CellData<dim>> &cells;
+    const std::vector<dealii::Point<dim>>    &vertices;
+    /// Pairs of coinciding nodes, the lower index first, sorted.
+    std::vector<std::pair<unsigned int, unsigned int>> pairs;
   };
 
   /// Throws SceneError if a node at the boundary lies inside an edge of the boundary of the same

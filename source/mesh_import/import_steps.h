@@ -90,7 +90,8 @@ namespace Signorini
   private:
     using Numbers = std::unordered_map<std::size_t, unsigned int>;
 
-    std::set<std::string> names; ///< that the file has
+    /// Names of the groups in the file, which are taken.
+    std::set<std::string> names;
     Numbers               elements;
   };
 

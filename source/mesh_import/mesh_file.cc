@@ -129,6 +129,7 @@ namespace Signorini
 
 
 
+  // The extension, in any case, selects the reader.
   MeshFile
   read_mesh_file(const std::string &file_name)
   {

@@ -15,7 +15,8 @@ namespace Signorini
   /// file, and fail on named interior faces.
   struct MeshFile
   {
-    using Nodes = std::vector<unsigned int>; ///< indices into `nodes`
+    /// Indices into `nodes`.
+    using Nodes = std::vector<unsigned int>;
 
     enum class Shape
     {
@@ -27,7 +28,8 @@ namespace Signorini
       pyramid,
       wedge,
       hexahedron,
-      unknown ///< with any number of nodes
+      /// A shape that is not supported, with any number of nodes.
+      unknown
     };
 
     /// An element of any dimension and order.
@@ -51,10 +53,12 @@ namespace Signorini
     /// of whose corners are in `nodes`.
     struct Group
     {
-      std::string               name;
-      std::vector<unsigned int> elements; ///< indices into `elements`
-      std::vector<Nodes>        faces;    ///< the corners of each
-      Nodes                     nodes;
+      std::string name;
+      /// Indices into `elements`.
+      std::vector<unsigned int> elements;
+      /// The corners of each face.
+      std::vector<Nodes> faces;
+      Nodes              nodes;
     };
 
     std::vector<dealii::Point<3>> nodes;

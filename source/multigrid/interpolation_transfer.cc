@@ -37,6 +37,8 @@ namespace Signorini
 
 
 
+  // Local data of the transfer: nodes and vertices by local indices, and the exchange of vertices
+  // that other ranks own. Collective.
   InterpolationTransfer::InterpolationTransfer(Nodes              of_nodes,
                                                const Side        &above,
                                                const Side        &below,
@@ -162,6 +164,7 @@ namespace Signorini
 
 
 
+  // The product B P for the contact rows of the next level (doc/theory, (7.4)). Collective.
   LA::SparseMatrix
   InterpolationTransfer::times(const LA::SparseMatrix &B) const
   {

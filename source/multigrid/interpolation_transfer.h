@@ -12,17 +12,18 @@
 
 namespace Signorini
 {
-  /// Linear interpolation in three dimensions where a node of a cell is a vertex, or the middle of
-  /// an edge, of a face or of the whole, of a cell below: the mean of one, two, four or eight of
-  /// its vertices. So are the vertices of children, and the nodes of degree two. Without a matrix,
-  /// in single precision; constraints are resolved on the vectors of the level below, and
-  /// constrained degrees of freedom of the level above get nothing.
+  /// The prolongation of linear interpolation in three dimensions, where each node is a vertex of a
+  /// cell of the coarser level, or the middle of an edge, a face or the whole: the mean of one,
+  /// two, four or eight vertices. That holds for the vertices of children and for the nodes of
+  /// degree two. It is applied without a matrix, in single precision; constraints are condensed on
+  /// vectors of the coarser level, and constrained degrees of freedom of the finer level get
+  /// nothing.
   class InterpolationTransfer : public Prolongation
   {
   public:
     using Index = dealii::types::global_dof_index;
 
-    /// Nodes, and the vertices of which they are the means, all by their first degrees of freedom.
+    /// Nodes with the vertices of which they are the means, all by their first degrees of freedom.
     class Nodes
     {
     public:
@@ -49,7 +50,8 @@ namespace Signorini
     };
 
     /// Collective.
-    /// @param nodes each that this rank owns once
+    /// @param nodes each owned node once
+    /// @param n_rigid number of degrees of freedom of rigid bodies
     InterpolationTransfer(
       Nodes nodes, const Side &fine, const Side &coarse, unsigned int n_rigid, MPI_Comm);
 
@@ -71,6 +73,7 @@ namespace Signorini
 
     using Row = std::vector<std::pair<Index, double>>;
 
+    /// The rows of P of owned degrees of freedom. Not collective.
     std::unordered_map<Index, Row>
     rows(const std::vector<Index> &dofs) const;
 

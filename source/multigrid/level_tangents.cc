@@ -94,6 +94,8 @@ namespace Signorini
 
 
 
+  // Leaves have their own tangents; other cells those of their leaves, complete on their owner
+  // only.
   const CellTangent &
   LevelTangents::of(const SpaceFillingCurve::Cell &cell) const
   {

@@ -18,6 +18,7 @@ namespace Signorini
 
     constexpr unsigned int space_dim = 3;
 
+    /// The mesh of a DoFHandler, which must be distributed.
     const parallel::distributed::Triangulation<space_dim> &
     distributed(const DoFHandler<space_dim> &dofs)
     {
@@ -116,6 +117,7 @@ namespace Signorini
             asked[rank].push_back(vertex);
             is_asked[vertex] = true;
           }
+    // Answers to the requests of other ranks: names, and the constraints of the three components.
 
     std::map<unsigned int, std::vector<Answer>> answers;
     for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, questions))
@@ -126,6 +128,7 @@ namespace Signorini
             if (const Line *of_dof = line(answer.name + c))
               answer.lines.emplace_back(c, *of_dof);
           answers[rank].push_back(answer);
+          // Answers have the order of the requests.
         }
     for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, answers))
       for (unsigned int i = 0; i < list.size(); ++i)

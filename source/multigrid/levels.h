@@ -18,19 +18,21 @@
 
 namespace Signorini
 {
-  /// The vertices of a mesh of hexahedra and of its coarser levels: those of all leaves of this
-  /// rank and of all ancestors of these. A vertex is identified by its first degree of freedom in
-  /// the space of degree one on the finest mesh; those of the other components follow it.
+  /// The vertices of a mesh of hexahedra and of its coarser levels, as far as leaves of this rank
+  /// or their ancestors have them. A vertex is identified on all levels by its name, its first
+  /// degree of freedom in the space of degree one on the finest mesh; those of the other components
+  /// follow it.
   class LevelVertices
   {
   public:
     using Index = dealii::types::global_dof_index;
 
-    /// A constraint without inhomogeneity.
+    /// A homogeneous constraint of a degree of freedom.
     struct Line
     {
       std::vector<std::pair<Index, double>> entries;
-      bool                                  hangs; ///< of a hanging node; else of a support
+      /// True for hanging nodes, false for supports.
+      bool hangs;
 
       template <class Archive>
       void
@@ -45,12 +47,14 @@ namespace Signorini
                   const dealii::AffineConstraints<double> &hanging,
                   const dealii::AffineConstraints<double> &constraints);
 
+    /// The space-filling curve of the cells.
     const SpaceFillingCurve &
     curve() const
     {
       return my_curve;
     }
 
+    /// The name of the vertex at a corner of a cell of this rank, leaf or ancestor.
     Index
     name(const SpaceFillingCurve::Cell &cell, const unsigned int corner) const
     {
@@ -67,23 +71,27 @@ namespace Signorini
       return known == lines.end() ? nullptr : &known->second;
     }
 
-    /// Add the vertices by which those of the list are constrained.
+    /// Add the names of the vertices by which those of the list are constrained.
     void
     add_masters(std::vector<Index> &list) const;
 
   private:
+    /// Request names and constraints that this rank does not have. Collective.
     void
     query_other_ranks(MPI_Comm comm);
 
-    const SpaceFillingCurve         my_curve;
-    const LA::OwnRange              my_names; ///< degrees of freedom of this rank
-    std::vector<bool>               has_line; ///< those of this rank, so that most need no search
-    std::vector<Index>              names;    ///< by the number of the vertex on this rank
+    const SpaceFillingCurve my_curve;
+    const LA::OwnRange      my_names; ///< degrees of freedom of this rank
+    /// Flags of the owned degrees of freedom with a constraint, so that most of them need no
+    /// search.
+    std::vector<bool> has_line;
+    /// The names of vertices, by their number on this rank; invalid: not needed.
+    std::vector<Index>              names;
     std::unordered_map<Index, Line> lines;
   };
 
-  /// The degrees of freedom of the vertices of one level: three a vertex, which the rank owns that
-  /// owns those on the finest mesh; those of rigid bodies last.
+  /// The degrees of freedom of the vertices of one level: three for each vertex, owned by the rank
+  /// that owns those on the finest mesh; those of rigid bodies are last.
   class VertexNumbers
   {
   public:
@@ -108,6 +116,7 @@ namespace Signorini
                   unsigned int              n_rigid,
                   MPI_Comm                  comm);
 
+    /// True if the level has a vertex.
     bool
     has(const Index name) const
     {
@@ -136,6 +145,8 @@ namespace Signorini
     }
 
   private:
+    /// The number of a vertex on a coarser level; invalid if the level does not have it, or this
+    /// rank does not need it.
     Index
     number(const Index name) const
     {
@@ -153,9 +164,9 @@ namespace Signorini
     dealii::IndexSet                 my_owned;
   };
 
-  /// Tangents of the cells of coarser meshes. A derivative in a child's unit coordinates is half of
-  /// that in its parent's: where gradients do not change in the parent, its tangent is a quarter of
-  /// the sum of those of its children.
+  /// Tangents of the cells of coarser meshes. A derivative in the reference coordinates of a child
+  /// is half of that in its parent's: if gradients are constant in the parent, its tangent is a
+  /// quarter of the sum of those of its children.
   class LevelTangents
   {
   public:
@@ -167,6 +178,7 @@ namespace Signorini
     of(const SpaceFillingCurve::Cell &cell) const;
 
   private:
+    /// Add up the tangents of cells whose leaves are on several ranks. Collective.
     void
     send_to_owners(const SpaceFillingCurve &curve, MPI_Comm comm);
 
@@ -174,7 +186,7 @@ namespace Signorini
     std::vector<std::unordered_map<int, CellTangent>> of_ancestors; ///< [level], by index
   };
 
-  /// Displacements of degree one on the finest mesh. Refers to most of them.
+  /// The space of displacements of degree one on the finest mesh. Refers to most of its data.
   struct LinearDisplacements
   {
     const dealii::DoFHandler<3>             &dofs;
@@ -182,28 +194,29 @@ namespace Signorini
     const dealii::IndexSet                  &owned;
     LA::Vector                               terms; ///< see CellSpace::diagonal_terms
     std::vector<std::vector<double>>         modes; ///< rigid-body modes
-    const CellTangents *tangents; ///< of the cells; null: they are of materials at rest
+    /// Tangents of the cells; null: those of the undeformed materials.
+    const CellTangents *tangents;
   };
 
-  /// Their space, for kernels.
+  /// The space of degree one on the finest mesh as kernels use it.
   CellSpace
   finest_space(const LinearDisplacements &linear, const Elasticity<3> &elasticity);
 
-  /// The same on the meshes that remain when the cells of the finest level are taken back to their
-  /// parents, again and again: whatever was refined, each is a mesh of its own with hanging nodes
-  /// (global coarsening: Munch, Heister, Prieto Saavedra, Kronbichler, ACM Trans. Parallel Comput.
-  /// 10 (2023) 3). Vertices of a coarse cell are vertices of leaves: their degrees of freedom there
-  /// name them on all levels, and constraints are the same wherever both are. Ends where a support
-  /// would get lost, or where a factorisation is cheap; empty if there is nothing to take back.
-  /// Collective.
+  /// Spaces of degree one on the meshes that remain when the cells of the finest level are replaced
+  /// by their parents, level after level: each is a mesh of its own, with hanging nodes if the
+  /// finest one has some (global coarsening: Munch, Heister, Prieto Saavedra, Kronbichler, ACM
+  /// Trans. Parallel Comput. 10 (2023) 3; doc/theory, 7.1). Vertices of coarse cells are vertices
+  /// of leaves: their degrees of freedom there identify them on all levels, and constraints are the
+  /// same on all levels on which they exist. Ends where a support could not be represented, or
+  /// where a factorisation is cheap; empty if nothing can be coarsened. Collective.
   Spaces
   mesh_levels(const LinearDisplacements &linear, const Elasticity<3> &elasticity);
 
-  /// Degree one on the same mesh, where bodies have more, then coarser meshes in three dimensions,
-  /// as far as supports do not get lost. There may be none: of large deformation, where the
-  /// stiffness does not know the tangents of cells. Collective.
-  /// @param stiffness of the bodies
-  /// @param to_coarser_meshes false: none of these
+  /// Make the geometric levels: degree one on the same mesh if bodies have a higher degree, then
+  /// coarser meshes in three dimensions, as far as supports can be represented. There are none at
+  /// finite strain if the stiffness does not provide the tangents of cells. Collective.
+  /// @param stiffness stiffness of the bodies
+  /// @param to_coarser_meshes false: no coarser meshes
   template <int dim>
   Spaces
   make_spaces(const Elasticity<dim> &elasticity,

@@ -39,6 +39,8 @@ namespace Signorini
 
 
 
+  // The space of degree one on the same mesh with its own numbering, hanging nodes and supports.
+  // Collective.
   template <int dim>
   LinearSpace<dim>::LinearSpace(const Elasticity<dim> &fine)
     : elements(FESystem<dim>(FE_Q<dim>(1), dim))
@@ -155,6 +157,7 @@ namespace Signorini
 
     private:
       void
+      /// Add an entry at a vertex, or entries at those that constrain it.
       add_resolved(const types::global_dof_index dof, const double value, Row &row) const
       {
         if (const auto *line = space.constraints.get_constraint_entries(dof))
@@ -281,18 +284,23 @@ namespace Signorini
 
 
 
+  // In space elements of degree 2 have nodes at means of vertices, and the prolongation needs no
+  // matrix; otherwise it is assembled.
   template <int dim>
   std::unique_ptr<const Prolongation>
   make_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space)
   {
     if constexpr (dim == 3)
-      if (fine.degree() <= 2) // more have nodes elsewhere
+      // Nodes of higher degrees are not at means of vertices.
+      if (fine.degree() <= 2)
         return means_of_vertices(fine, space);
     return assembled_prolongation(fine, space);
   }
 
 
 
+  // Diagonal terms are restricted like forces, those of rigid bodies copied: these are the same
+  // degrees of freedom on both levels. In single precision. Collective.
   LA::Vector
   restrict_terms(const LA::Vector   &terms,
                  const Prolongation &P,
@@ -314,6 +322,9 @@ namespace Signorini
 
 
 
+  // For each supported node of the fine space: the row of its constraint in terms of vertices, u_i
+  // - sum_j w_ij u_j = 0. It vanishes where the constraints of the vertices imply it; otherwise it
+  // becomes a penalty with the diagonal stiffness of the node (doc/theory, 7.1).
   template <int dim>
   CoarseConstraintPenalty::CoarseConstraintPenalty(const Elasticity<dim>  &fine,
                                                    const LinearSpace<dim> &space,
@@ -349,6 +360,7 @@ namespace Signorini
 
 
 
+  // Add the stiffness times the products of entries of each row. The caller compresses the matrix.
   void
   CoarseConstraintPenalty::add_to(LA::SparseMatrix &K) const
   {

@@ -8,8 +8,8 @@
 
 namespace Signorini
 {
-  /// Displacements of degree one on the mesh of the bodies, numbered as Displacements are: those of
-  /// rigid bodies last. At its nodes, supports do as they do at those of the bodies.
+  /// Displacements of degree one on the mesh of the bodies, with the degrees of freedom of rigid
+  /// bodies last, as in Displacements. Vertices are constrained as the nodes of the bodies there.
   template <int dim>
   class LinearSpace
   {
@@ -19,35 +19,41 @@ namespace Signorini
     const dealii::hp::FECollection<dim> elements;
     dealii::DoFHandler<dim>             dofs;
     dealii::IndexSet                    owned, relevant;
-    dealii::AffineConstraints<double>   hanging, constraints; ///< hanging nodes; and supports
+    /// Constraints of hanging nodes; and those of supports in addition.
+    dealii::AffineConstraints<double> hanging, constraints;
 
   private:
+    /// Number the degrees of freedom, with those of rigid bodies.
     void
     number(const Elasticity<dim> &fine);
+    /// Constrain vertices by the supports.
     void
     constrain_vertices(const Elasticity<dim> &fine);
+    /// Constrain prescribed motions of rigid bodies.
     void
     constrain_rigid_bodies(const Elasticity<dim> &fine);
   };
 
-  /// From the space of degree one to that of the bodies. Collective.
+  /// The prolongation from the space of degree one to that of the bodies. Collective.
   template <int dim>
   std::unique_ptr<const Prolongation>
   make_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space);
 
-  /// What K has on its diagonal beyond the stiffness of cells on a level below another one: the
-  /// springs against unconstrained rigid-body modes, each at the nodes that it moves, and what is
-  /// prescribed to rigid bodies. Collective.
-  /// @param terms of the level above
-  /// @param n_rigid degrees of freedom of rigid bodies, the last ones of both levels
+  /// The diagonal terms of K beyond the stiffness of cells on the next coarser level: the
+  /// stabilisation of unconstrained rigid-body modes, distributed to the nodes there, and the terms
+  /// of prescribed motions of rigid bodies. Collective.
+  /// @param terms of the finer level
+  /// @param P prolongation between both levels
+  /// @param owned degrees of freedom of the coarser level
+  /// @param n_rigid number of degrees of freedom of rigid bodies, the last ones of both levels
   LA::Vector
   restrict_terms(const LA::Vector       &terms,
                  const Prolongation     &P,
                  const dealii::IndexSet &owned,
                  unsigned int            n_rigid);
 
-  /// Supports at nodes of the bodies that the space of degree one has not: how far its
-  /// displacements are from what they ask for, as springs of those nodes' stiffness.
+  /// Constraints at nodes of the bodies that the space of degree one cannot represent: they are
+  /// imposed there by penalties of the stiffness of those nodes (doc/theory, 7.1).
   class CoarseConstraintPenalty
   {
   public:
@@ -57,11 +63,12 @@ namespace Signorini
                             const LinearSpace<dim> &space,
                             const LA::Vector       &diagonal);
 
-    /// On any rank? Collective.
+    /// True if there are any on any rank. Collective.
     bool
     any() const;
 
-    /// To a matrix that has the places of all cells. It is not compressed.
+    /// Add the penalties to a matrix whose pattern has the couplings of all cells; the caller
+    /// compresses it.
     void
     add_to(LA::SparseMatrix &K) const;
 

@@ -33,9 +33,8 @@ namespace Signorini
 
     using PlacedCell = SpaceFillingCurve::PlacedCell;
 
-    /// Call act(place) for the cells of the mesh in which no cell is finer than `level`, as far as
-    /// this rank has leaves in them: its own leaves up to that level, and cells of that level with
-    /// finer leaves. A cell with leaves on several ranks is visited by each of them.
+    /// Call act(place) for the leaves of this rank up to `level`, and for the cells of that level
+    /// that have finer leaves on this rank (others may visit them too).
     template <typename Action>
     void
     for_each_cell(const int level, const SpaceFillingCurve &curve, const Action &act)
@@ -78,8 +77,7 @@ namespace Signorini
       modes() const;
 
     private:
-      /// The vertices of the next coarser level, by name, whose mean is a vertex of the present
-      /// one.
+      /// The vertices of the next level, by name, of which a vertex of the present one is the mean.
       struct Parents
       {
         std::array<Index, n_corners> names;
@@ -109,9 +107,10 @@ namespace Signorini
       const unsigned int           n_rigid;
       int                          level;
 
-      // Of the present level.
+      // Data of the present level.
       VertexNumbers numbers;
-      CellSpace     present; ///< nothing on the finest
+      /// Empty on the finest mesh.
+      CellSpace present;
     };
 
     Levels::Levels(const LinearDisplacements &linear, const Elasticity<dim> &elasticity)
@@ -127,8 +126,7 @@ namespace Signorini
         tangents.emplace(*linear.tangents, vertices.curve(), comm);
     }
 
-    // The names of the corners of cells on this rank, and of the vertices that their constraints
-    // refer to.
+    // The names of the corners of this rank's cells, and of vertices in their constraints.
     std::vector<Index>
     Levels::known_names(const int at) const
     {
@@ -229,8 +227,7 @@ namespace Signorini
         result.names[result.n++] = vertices.name(cell_on_curve.cell, corner);
       else
         {
-          // In directions in which child and corner are on the same side, the vertex has the
-          // coordinate of the parent's corner; in the others it is in the middle.
+          // By direction: on the same side, the coordinate of the parent's corner; else the middle.
           const Cell         parent = cell_on_curve.cell->parent();
           const unsigned int child  = SpaceFillingCurve::child_number(cell_on_curve),
                              middle = child ^ corner;

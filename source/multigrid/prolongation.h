@@ -8,8 +8,8 @@
 
 namespace Signorini
 {
-  /// From a level of multigrid to the one above it. Vectors are arrays of this rank's degrees of
-  /// freedom.
+  /// The prolongation from a multigrid level to the next finer one. Vectors are arrays of the owned
+  /// degrees of freedom of this rank.
   class Prolongation
   {
   public:
@@ -23,12 +23,12 @@ namespace Signorini
     virtual void
     Tvmult(float *coarse, const float *fine) const = 0;
 
-    /// B P for a matrix B with few columns, on the level above. Collective.
+    /// The product B P with a matrix B on the finer level that has few columns. Collective.
     virtual LA::SparseMatrix
     times(const LA::SparseMatrix &B) const = 0;
   };
 
-  /// By a matrix.
+  /// A prolongation by an assembled matrix.
   class AssembledProlongation : public Prolongation
   {
   public:

@@ -21,6 +21,7 @@ namespace Signorini
       return 3 * (levels - 1 - level);
     }
 
+    /// Order by position, first by tree, then along the curve in the tree.
     bool
     comes_before(const SpaceFillingCurve::PlacedCell &a, const SpaceFillingCurve::PlacedCell &b)
     {
@@ -104,6 +105,7 @@ namespace Signorini
 
 
 
+  // The leaf of this rank that contains a position: the last one that does not begin behind it.
   const SpaceFillingCurve::PlacedCell &
   SpaceFillingCurve::leaf(const Position &position) const
   {

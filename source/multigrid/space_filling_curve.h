@@ -21,10 +21,12 @@ namespace Signorini
     /// bits each.
     using Position = std::pair<unsigned int, std::uint64_t>;
 
+    /// A cell with its position on the curve.
     struct PlacedCell
     {
-      Cell     cell;
-      Position position; ///< of the first leaf in it
+      Cell cell;
+      /// The position of its first leaf.
+      Position position;
     };
 
     /// Find the leaves of this rank and the first position of each rank. Collective.
@@ -53,7 +55,8 @@ namespace Signorini
     static Position
     at_corner(const PlacedCell &cell_on_curve, unsigned int corner);
 
-    /// Which child of its parent a cell is. @param cell_on_curve of a cell that has a parent
+    /// The number of a cell among the children of its parent. @param cell_on_curve a cell that has
+    /// a parent
     static unsigned int
     child_number(const PlacedCell &cell_on_curve);
 
@@ -62,10 +65,12 @@ namespace Signorini
     leaf(const Position &position) const;
 
   private:
+    /// See the constructor; for a cell and its descendants.
     bool
     collect(const Cell &cell, const Position &position);
 
     std::vector<PlacedCell> my_leaves, my_ancestors;
-    std::vector<Position>   first; ///< of each rank; those without leaves have that of the next one
+    /// The first position of each rank; ranks without leaves have that of the next one.
+    std::vector<Position> first;
   };
 } // namespace Signorini

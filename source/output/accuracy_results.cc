@@ -31,6 +31,8 @@ namespace Signorini
           }
         if (const auto better = history.extrapolated())
           one["extrapolated"] = {{"value", better->value}, {"error_bound", better->error_bound}};
+        // The contributions to the error bound in the units of the quantity, then auxiliary bounds
+        // of the estimate.
         one["parts"]                = {{"discretisation", last.parts.discretisation},
                                        {"geometry", last.parts.geometry},
                                        {"enforcement", last.parts.enforcement},
@@ -49,6 +51,7 @@ namespace Signorini
 
 
 
+  // The inverse of accuracy_results(), as far as error bounds need it.
   std::vector<QuantityEstimate>
   quantities_of(const Json &results)
   {
@@ -76,6 +79,7 @@ namespace Signorini
 
 
 
+  // Errors are relative unless the value is zero.
   void
   print_accuracy(const Goals &goals, const ErrorControl &control, std::ostream &out)
   {

@@ -198,6 +198,7 @@ namespace Signorini
 
 
 
+    // Evaluate all nodal fields at the points, and store them in the rows of the data.
     template <int dim>
     void
     ContactFaces<dim>::set_fields(const FEValues<dim> &values,

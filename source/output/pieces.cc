@@ -67,6 +67,7 @@ namespace Signorini
                const PieceSettings                                  &settings,
                const MPI_Comm                                        comm)
   {
+    // File names: NAME_STEP.RANK.vtu with as many digits of the rank as the last one needs.
     const unsigned int n_digits =
       Utilities::needed_digits(Utilities::MPI::n_mpi_processes(comm) - 1);
     const std::string stem = settings.name + "_" + Utilities::int_to_string(settings.step, 4);
@@ -75,6 +76,8 @@ namespace Signorini
     };
     const unsigned int me    = Utilities::MPI::this_mpi_process(comm);
     State              state = nothing;
+    // Each rank with patches writes its own file. An I/O error is only noted here, since the other
+    // ranks wait in the following exchange.
     if (!patches.empty())
       {
         std::ofstream out(settings.directory + "/" + file(me), std::ios::binary);
@@ -100,6 +103,8 @@ namespace Signorini
         throw OutputError(settings.directory + "/" + file(rank), true);
       else if (states[rank] == written)
         files.push_back(file(rank));
+    // The record NAME_STEP.pvtu refers to all pieces, and is replaced in one step so that it is
+    // never incomplete on disk.
     if (me == 0)
       {
         std::ostringstream record;

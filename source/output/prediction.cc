@@ -117,6 +117,7 @@ namespace Signorini
             ++result[i].n;
             if (samples[i].size() == enough)
               continue;
+            // Measure the assembly of single cells, until there are enough samples.
             const auto start = std::chrono::steady_clock::now();
             kernel.assemble(cell, elasticity.material(cell->material_id()), matrix);
             samples[i].push_back(
@@ -172,11 +173,13 @@ namespace Signorini
     result.seconds_before = Utilities::MPI::max(seconds, elasticity.mesh().communicator());
     result.memory_mb      = base_memory_mb;
     const double most     = std::max(1., refinement.maximum_cells / all_cells);
+    // Each unconstrained mode costs set-up time for its vectors.
     const double loose =
       1 + elasticity.unsupported_mode_names().size() / 12.; // vectors of all unknowns
     double size = 1;                                        // of this mesh, in that of the first
     for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
       {
+        // The load steps after the first one are computed on the last mesh only.
         const double starts  = cycle == 0 ? 1 : warm_share, // in cold ones
           steps              = cycle < refinement.cycles ? 0 : scene.load_steps.ends().size() - 1.;
         const double surface = std::pow(size, (dim - 1.) / dim);
@@ -197,6 +200,8 @@ namespace Signorini
       }
     for (unsigned int i = 0; i < elements.size(); ++i)
       {
+        // Memory of the last mesh: rows of the stiffness matrix have dim (2 p + 1)^dim entries in
+        // the interior for p = 1, and fewer in the mean for p = 2.
         const unsigned int degree        = elements[i].degree;
         const double       dofs_per_cell = dofs_per_node * std::pow(degree, dim),
                      entries_per_dof     = dim * std::pow(degree == 1 ? 3 : 4, dim);

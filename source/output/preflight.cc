@@ -51,6 +51,7 @@ namespace Signorini
         moment.assign(dim * names.size(), 0.);
         low.assign(dim * names.size(), most);
         high.assign(dim * names.size(), -most);
+        // A face with several names contributes to the boundary of each of them.
         FacePatches<dim>                                        patch_of(mesh);
         std::map<types::boundary_id, std::vector<unsigned int>> names_of;
         for (unsigned int i = 0; i < names.size(); ++i)
@@ -62,6 +63,7 @@ namespace Signorini
               if (cell->face(f)->at_boundary())
                 for (const unsigned int i : names_of[cell->face(f)->boundary_id()])
                   add(i, patch_of(cell, f));
+        // Sums and extents over all ranks.
         for (auto *numbers : {&faces, &size, &moment})
           Utilities::MPI::sum(*numbers, mesh.communicator(), *numbers);
         Utilities::MPI::min(low, mesh.communicator(), low);
@@ -198,9 +200,10 @@ namespace Signorini
     gaps(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
     {
       constexpr unsigned int n_bins = 10;
-      std::array<double, 2>  range{{std::numeric_limits<double>::max(),
-                                    std::numeric_limits<double>::max()}}; // least, minus largest
-      std::vector<double>    shares(3, 0.);
+      // The range of gaps and the shares of area by their sign.
+      std::array<double, 2> range{{std::numeric_limits<double>::max(),
+                                   std::numeric_limits<double>::max()}}; // least, minus largest
+      std::vector<double>   shares(3, 0.);
       for (const ContactPoint<dim> &point : surface.points)
         {
           range[0] = std::min(range[0], point.gap);
@@ -209,6 +212,7 @@ namespace Signorini
         }
       const double least = Utilities::MPI::min(range[0], comm),
                    most  = -Utilities::MPI::min(range[1], comm);
+      // The histogram needs the range of all ranks.
       std::vector<double> histogram(n_bins, 0.);
       for (const ContactPoint<dim> &point : surface.points)
         {
@@ -249,6 +253,7 @@ namespace Signorini
     bool
     match(const Side<dim> &slave, const Side<dim> &master, const MPI_Comm comm)
     {
+      // Vertices of both surfaces are sent to the rank of their hash, and compared there.
       using Key               = std::array<long, dim>;
       const double resolution = 0.02 * std::min(slave.size, master.size);
       const auto   send       = [&](const Side<dim> &side) {
@@ -303,12 +308,14 @@ namespace Signorini
               "pair " + pair.name + ": no face of " + pair.slave + " faces " + pair.master +
               " within the search distance; if they should touch, choose other boundaries, or set "
               "Search distance of the pair");
+          // Surfaces that are too far apart have no candidates.
           if (surfaces[i].is_apart)
             {
               one["candidates"] = 0;
               result[pair.name] = one;
               continue;
             }
+          // The candidates with their gaps and normals.
           one["candidates"]       = Utilities::MPI::sum(surfaces[i].points.size(), comm);
           one["covered_share"]    = covered_share(surfaces[i], comm);
           one["reach"]            = surfaces[i].candidate_gap;
@@ -326,6 +333,7 @@ namespace Signorini
               std::to_string(one["largest_angle"].template get<int>()) +
               " degrees from the opposite of the master normal where the surfaces touch; refine "
               "there, or split the surface");
+          // A master surface of a body also has a mesh, which is compared with that of the slave.
           if (!decisions.scene.obstacle_of(pair))
             {
               const Side<dim> master(elasticity, pair.master);
@@ -364,6 +372,7 @@ namespace Signorini
                ": its surfaces do not face each other" :
                ": the initial gap is larger than the expected motion of the bodies") +
             " (checked after each solution)");
+      // Without candidate points there are no inequalities.
       if (contact.empty())
         result.push_back(decisions.finite_strain ?
                            "contact: no candidates" :
@@ -441,6 +450,7 @@ namespace Signorini
 
 
 
+  // Warnings are collected by all parts and printed at the end.
   template <int dim>
   Json
   preflight(const Decisions<dim>                   &decisions,
@@ -453,6 +463,7 @@ namespace Signorini
     unsigned int      n_points = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       n_points += surface.points.size();
+    // The predicted costs follow from the numbers of unknowns and contact points.
     const Prediction prediction = predict(scene, elasticity, n_points, seconds);
     Json             warnings   = Json::array();
     warn_about_bodies(decisions, warnings);

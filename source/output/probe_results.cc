@@ -49,6 +49,7 @@ namespace Signorini
 
 
 
+  // Points in bodies are evaluated together, since each evaluation visits all cells.
   template <int dim>
   Json
   probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes)

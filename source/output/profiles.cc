@@ -178,6 +178,7 @@ namespace Signorini
 
 
 
+  // Rank 0 gathers the points of one pair after the other, and writes.
   template <int dim>
   void
   write_profiles(const Snapshot<dim> &snapshot,

@@ -44,6 +44,7 @@ namespace Signorini
 
 
 
+  // Errors are reported for those fields only that are known.
   template <int dim>
   Json
   results_at(const Scene<dim>              &scene,
@@ -97,6 +98,7 @@ namespace Signorini
 
 
 
+  // The entries that do not change during the run.
   template <int dim>
   void
   Recorder<dim>::begin()
@@ -137,6 +139,8 @@ namespace Signorini
     results["reason"]           = unfinished;
     results["output_directory"] = path;
 
+    // The verdict, the list of output times and the largest force continue those of the earlier
+    // process.
     seconds_before = results.value("seconds", Json::object());
     if (results.contains("verdict"))
       verdict = Verdict::from(results["verdict"]);
@@ -148,6 +152,7 @@ namespace Signorini
           largest_force = std::max(largest_force, force.get<double>());
       }
     writer.restore(times);
+    // Rank 0 removes the files of steps after the checkpoint, since these steps are computed again.
     const unsigned int last = times.empty() ? 0 : times.back().second;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       folder.remove_steps_after(last);
@@ -218,6 +223,7 @@ namespace Signorini
 
 
 
+  // The errors of the last load step are reported at the top level as well.
   template <int dim>
   void
   Recorder<dim>::add_accuracy(const Json         &accuracy,
@@ -260,7 +266,8 @@ namespace Signorini
   Json
   Recorder<dim>::newton_results(const NewtonReport &report) const
   {
-    Json         krylov = Json::array(), augmentations = Json::array();
+    Json krylov = Json::array(), augmentations = Json::array();
+    // Linear iterations of each Newton step, and the numbers of Newton steps between augmentations.
     unsigned int before = 0;
     for (const NewtonStep &row : report.steps)
       {
@@ -287,6 +294,7 @@ namespace Signorini
 
 
 
+  // The verdict needs the largest force of all steps so far, which is updated first.
   template <int dim>
   void
   Recorder<dim>::add_step(const Snapshot<dim> &now,
@@ -299,6 +307,7 @@ namespace Signorini
     one["multigrid_cycles"] = multigrid_cycles;
     one.update(results_at(scene, now, scene.output.probes));
     largest_force = std::max(largest_force, one["largest_force"].get<double>());
+    // The checks see the results of this step and the largest force so far.
     verdict.add(check_solution(decisions, now, one, largest_force), now.time);
     results["verdict"] = verdict.json();
     if (!scene.goals.quantities.empty())
@@ -363,6 +372,7 @@ namespace Signorini
 
 
 
+  // Sums over all ranks.
   template <int dim>
   void
   Recorder<dim>::add_sizes(const Elasticity<dim>                  &elasticity,
@@ -377,6 +387,7 @@ namespace Signorini
     results["multiplier_dofs"] =
       scene.contact.chosen().has_multipliers() ? contact.n_components() * contact.weight.size() : 0;
     results["skipped"] = skipped_items;
+    // Slave faces and candidate points of all pairs on this rank, before the sum.
     unsigned int faces = 0, candidates = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       {
@@ -391,6 +402,7 @@ namespace Signorini
 
 
 
+  // Seconds are the largest of all ranks, plus those of the processes before a restart. Collective.
   template <int dim>
   void
   Recorder<dim>::add_costs()
@@ -406,6 +418,8 @@ namespace Signorini
 
 
 
+  // Rank 0 replaces results.json atomically. The former names of renamed entries are written as
+  // well, for scripts that read them.
   template <int dim>
   void
   Recorder<dim>::write()
@@ -434,6 +448,7 @@ namespace Signorini
     results["converged"] = report.converged && is_answer;
     results["reason"] = report.converged && !is_answer ? verdict.summary(outcome) : report.reason;
     add_costs();
+    // Success needs an answer that agrees with the expected results.
     ExitCode code = is_interrupted ? interrupted : not_converged;
     if (report.converged)
       {
@@ -461,7 +476,7 @@ namespace Signorini
   Recorder<dim>::stop(const std::string &why)
   {
     if (results.empty())
-      return; // those of the earlier process stay
+      return; // no results yet: the file of an earlier process is kept
     results["converged"] = false;
     results["reason"]    = why;
     try

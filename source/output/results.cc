@@ -184,6 +184,7 @@ namespace Signorini
 
 
 
+  // All values are those of the slave that the scene names, see force_of().
   template <int dim>
   Json
   pair_results(const Snapshot<dim> &snapshot)
@@ -303,6 +304,8 @@ namespace Signorini
 
 
 
+  // Forces on bodies are the sum of supports, loads and pairs; each pair acts on both of its
+  // bodies.
   template <int dim>
   Json
   force_results(const Snapshot<dim> &s, const double tolerance)
@@ -333,6 +336,7 @@ namespace Signorini
         on_bodies.assign(mesh.n_bodies(), {});
         largest = 0;
       }
+    // Balance and largest stresses of each body, and the balance of all of them.
     Resultant<dim> sum;
     Json           bodies  = Json::object();
     const auto     balance = [&](const Resultant<dim> &one) {
@@ -365,6 +369,7 @@ namespace Signorini
 
 
 
+  // Faces towards refined ghost cells count once.
   template <int dim>
   Json
   shares_of_ranks(const Elasticity<dim>                  &elasticity,

@@ -38,11 +38,14 @@ namespace Signorini
 
 
 
+  // The last load step; units are those of the scene.
   void
   print_summary(const Json &results, std::ostream &out)
   {
     const Json &step = results["load_steps"].back();
     out << std::setprecision(6);
+    // Contact pairs: resultants, the largest pressure, and the largest violations of the contact
+    // conditions.
     for (const auto &[name, pair] : step["pairs"].items())
       out << "\n  pair " << name << ":  force on " << pair["slave"].get<std::string>() << " "
           << numbers(pair["force"]) << ", pressure times area "
@@ -52,6 +55,7 @@ namespace Signorini
                                               "\n    no separation: largest distance, tension, ")
           << "|pressure x gap|\n      at the sampling points      " << violations(pair)
           << "\n      at the contact points       " << violations(pair["at_points"]) << "\n";
+    // Reactions, the motions of obstacles, and modes that the contact has not constrained.
     for (const auto &[name, support] : step["supports"].items())
       out << "  support " << name << ":  force " << numbers(support["reaction"]) << "\n";
     for (const auto &[name, obstacle] : step["obstacles"].items())
@@ -67,6 +71,7 @@ namespace Signorini
         << ", of moments / (largest force times size): " << step["moment_balance"].get<double>()
         << "\n";
 
+    // Deviations from a known solution, if the scene has one.
     if (step.contains("errors"))
       {
         out << "  relative errors:";
@@ -75,6 +80,7 @@ namespace Signorini
         out << "\n";
       }
 
+    // Costs of the whole run.
     out << "\n  seconds:";
     for (const auto &[name, time] : results["seconds"].items())
       out << "  " << name << " " << std::fixed << std::setprecision(2) << time.get<double>();

@@ -39,6 +39,7 @@ namespace Signorini
         : elasticity(elasticity)
       {}
 
+      /// Compute the stress columns at the points of one cell.
       void
       evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
                             std::vector<Vector<double>>                &computed) const override
@@ -158,6 +159,8 @@ namespace Signorini
 
 
 
+  // Displacement and stress on patches with as many subdivisions as the degree; body and rank as
+  // cell data.
   template <int dim>
   std::string
   write_bodies(const Snapshot<dim> &snapshot, const std::string &directory)
@@ -181,6 +184,8 @@ namespace Signorini
     out.add_data_vector(displacement, stresses);
     out.add_data_vector(bodies, "body", DataOut<dim>::type_cell_data);
     out.add_data_vector(subdomain, "subdomain", DataOut<dim>::type_cell_data);
+    // Cells become as many subcells in each direction as the degree, and curved cells keep their
+    // curvature also inside of bodies.
     out.build_patches(elasticity.mesh().mapping(),
                       elasticity.degree(),
                       DataOut<dim>::curved_inner_cells);

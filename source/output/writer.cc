@@ -19,6 +19,7 @@ namespace Signorini
 
 
 
+  // Bodies, then the contact surfaces and their profiles, if there are any. Collective.
   template <int dim>
   void
   Writer<dim>::write(const Snapshot<dim> &snapshot, const Formula &reference_pressure)
@@ -44,6 +45,7 @@ namespace Signorini
 
 
 
+  // Records of the steps before the restart are taken over if their files exist.
   template <int dim>
   void
   Writer<dim>::restore(const std::vector<std::pair<double, unsigned int>> &times)

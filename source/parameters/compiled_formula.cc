@@ -16,6 +16,8 @@ namespace Signorini
   {
     constexpr double pi = 3.14159265358979323846;
 
+    /// The function table(x, x1, y1, ...) of formulas: linear interpolation, constant beyond the
+    /// first and last point. Throws mu::ParserError for points that are not in increasing order.
     double
     table(const double *x, const int n)
     {
@@ -32,6 +34,8 @@ namespace Signorini
       return x[n - 1];
     }
 
+    /// @return a parser with the constants, functions and operators that formulas may use beyond
+    /// those of muParser.
     mu::Parser
     basic_parser()
     {
@@ -68,7 +72,7 @@ namespace Signorini
       return parser;
     }
 
-    /// What muParser would take for an assignment, or for several formulas, is a slip here.
+    /// Throws SceneError for a single "=", which muParser would interpret as an assignment.
     void
     reject_slips(const std::string &formula)
     {
@@ -83,7 +87,7 @@ namespace Signorini
           }
     }
 
-    /// In words of ours where those of muParser help nobody.
+    /// @return the reason of an error, reworded where the message of muParser would not be helpful.
     std::string
     reason(const mu::ParserError &error)
     {
@@ -101,6 +105,7 @@ namespace Signorini
         }
     }
 
+    /// Throws SceneError if the formula has several results, which is mostly a decimal comma.
     void
     reject_several(const mu::Parser &parser)
     {
@@ -111,9 +116,13 @@ namespace Signorini
 
 
 
+  /// The parsers of the formula and of the definitions on which it depends, with the values of all
+  /// names.
   struct CompiledFormula::Program
   {
-    std::vector<double> values; ///< of the variables, then of all definitions
+    /// Values of the variables, followed by those of all definitions. Parsers refer to them by
+    /// pointers.
+    std::vector<double> values;
 
     struct Step
     {
@@ -121,12 +130,16 @@ namespace Signorini
       double    *result;
     };
 
-    std::vector<Step> steps; ///< the definitions that are needed and vary, in their order
+    /// The definitions that are needed and not constant, in their order; they are evaluated before
+    /// the formula.
+    std::vector<Step> steps;
     mu::Parser        formula;
   };
 
 
 
+  // Definitions may refer to earlier ones only. Backwards, it is determined which of them the
+  // formula needs; forwards, which of these depend on a variable. Constant ones are evaluated once.
   CompiledFormula::CompiledFormula(const Formula                  &formula,
                                    const std::vector<std::string> &variables)
     : program(std::make_unique<Program>())
@@ -139,18 +152,18 @@ namespace Signorini
     const auto name = [&](const std::size_t i) {
       return i < n ? variables[i] : definitions[i - n].first;
     };
-    // A formula in the first n_known of all names.
+    // Compile a formula in the first n_known of all names.
     const auto compile = [&](const std::string &text, const std::size_t n_known) {
       reject_slips(text);
       mu::Parser parser = basic_parser();
-      // To define a name takes longer than to see that it is not there.
+      // Defining a name takes longer than finding that the text does not contain it.
       for (std::size_t i = 0; i < n_known; ++i)
         if (text.find(name(i)) != std::string::npos)
           parser.DefineVar(name(i), &program->values[i]);
       parser.SetExpr(text);
       return parser;
     };
-    // Which of all names a formula uses: it is read for that, once.
+    // Determine which of all names a formula uses; muParser parses it for that.
     const auto used_by = [&](const mu::Parser &parser) {
       const auto       &names = parser.GetUsedVar();
       std::vector<bool> used(n_all);
@@ -219,7 +232,7 @@ namespace Signorini
       }
     catch (const mu::ParserError &)
       {
-        // Other ranks may not see this: what uses the value says what is wrong.
+        // The error may occur on this rank only: NaN is returned, and the caller reports it.
         return std::numeric_limits<double>::quiet_NaN();
       }
   }

@@ -9,35 +9,40 @@
 
 namespace Signorini
 {
-  /// A formula of muParser, ready to be evaluated again and again. Beyond what muParser knows there
-  /// are the constant pi, if(condition, a, b), int (nearest integer), ceil, floor, cot, csc, sec,
-  /// log (natural), pow, erf, erfc, the operators & and |, and table(x, x1, y1, x2, y2, ...), which
-  /// is linear between the points x1 < x2 < ... and constant beyond them.
+  /// A formula, compiled for repeated evaluation by muParser. Beyond the functions of muParser
+  /// there are the constant pi, if(condition, a, b), int (nearest integer), ceil, floor, cot, csc,
+  /// sec, log (natural), pow, erf, erfc, the operators & and |, and table(x, x1, y1, x2, y2, ...),
+  /// which is linear between the points x1 < x2 < ... and constant beyond them. Not thread-safe.
   class CompiledFormula
   {
   public:
-    /// @param variables names of what the formula may depend on, beside its definitions
-    /// Throws SceneError, with the reason alone, if it cannot be read.
+    /// Throws SceneError, with the reason only, if the formula is not valid.
+    /// @param formula with its definitions
+    /// @param variables names of the quantities on which it may depend, in addition to its
+    /// definitions
     CompiledFormula(const Formula &formula, const std::vector<std::string> &variables);
     ~CompiledFormula();
 
-    /// @param values of the variables, in their order; null for a constant. Not a number where the
-    /// formula cannot be evaluated, as a table whose points are not in order.
+    /// @return the value; NaN where the formula cannot be evaluated, such as a table whose points
+    /// are not in order.
+    /// @param values of the variables, in their order; null for a constant
     double
     value(const double *values) const;
 
-    /// True if the formula, or what it refers to, contains variable i.
+    /// @return whether the formula, or a definition that it uses, contains a variable.
+    /// @param i index of the variable
     bool
     depends_on(const std::size_t i) const
     {
       return depends[i];
     }
 
-    /// True if it contains none of the variables.
+    /// @return whether the formula contains none of the variables.
     bool
     is_constant() const;
 
-    /// True if formulas know a function or a constant of that name.
+    /// @return whether there is a function or a constant of a name.
+    /// @param name the name
     static bool
     is_known(const std::string &name);
 

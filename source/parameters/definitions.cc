@@ -11,6 +11,8 @@ namespace Signorini
 {
   namespace
   {
+    /// @return whether a text consists of letters, digits and underscores, and does not begin with
+    /// a digit.
     bool
     is_name(const std::string &text)
     {
@@ -19,7 +21,8 @@ namespace Signorini
              std::all_of(text.begin(), text.end(), belongs);
     }
 
-    /// Coordinates, time, functions, constants, and words that may stand where a formula may.
+    /// @return whether a name is a coordinate, the time, a function, a constant, or a word that may
+    /// replace a formula.
     bool
     has_meaning(const std::string &name)
     {
@@ -32,6 +35,7 @@ namespace Signorini
 
 
 
+  // The formula is compiled once to check it, with the definitions before it.
   void
   Definitions::add(const std::string &name, const std::string &formula)
   {

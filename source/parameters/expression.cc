@@ -10,6 +10,7 @@ namespace Signorini
 
   namespace
   {
+    /// @return the names of the coordinates and the time.
     template <int dim>
     std::vector<std::string>
     variables()
@@ -172,6 +173,7 @@ namespace Signorini
 
 
 
+  // The constants are variables of the compiled formula.
   double
   evaluate(const Formula &formula, const std::map<std::string, double> &constants)
   {

@@ -9,6 +9,7 @@ namespace Signorini
   {
     constexpr char still_accepted[] = "; the former name is accepted until the next release";
 
+    /// Throw SceneError: a former and its present name are both set.
     [[noreturn]] void
     refuse_both(const std::string &what,
                 const std::string &former,
@@ -20,7 +21,8 @@ namespace Signorini
                        "', which is set at " + where_now + " too; keep '" + now + "' alone");
     }
 
-    /// What is in one section goes to the other, and overrides what is there.
+    /// Move values and subsections of one section to another one, where they override existing
+    /// ones.
     void
     merge(const RawSection &from, RawSection &to)
     {
@@ -30,6 +32,7 @@ namespace Signorini
         merge(section, to.get_section(section.name, section.where));
     }
 
+    /// Remove an element of a list, given by reference.
     template <typename List, typename Item>
     void
     erase(List &list, const Item &item)
@@ -41,6 +44,7 @@ namespace Signorini
 
 
 
+  // Messages that differ in their position only are reported once.
   void
   Section::add_note(const std::string &where, const std::string &text)
   {
@@ -54,6 +58,7 @@ namespace Signorini
 
 
 
+  // Report that a default is used.
   void
   Section::note_default(const std::string &key, const std::string &value)
   {
@@ -67,6 +72,7 @@ namespace Signorini
 
 
 
+  // A value on the command line overrides one in the file, whichever name each of them has.
   void
   Section::rename_key(const std::string &former, const std::string &key)
   {
@@ -91,6 +97,7 @@ namespace Signorini
 
 
 
+  // Sections of both names are merged if one of them comes from the command line.
   void
   Section::rename_section(const std::string &former, const std::string &name)
   {

@@ -9,7 +9,8 @@ namespace Signorini
 {
   namespace
   {
-    /// A line without its comment; several lines where `\` continues them.
+    /// Read the next logical line, without comment; several physical lines if `\` continues them.
+    /// @return false at the end of the file
     bool
     next_line(std::istream &in, std::string &line, unsigned int &number)
     {
@@ -27,6 +28,7 @@ namespace Signorini
       return !line.empty();
     }
 
+    /// @return key and value of "KEY = VALUE". Throws SceneError.
     std::pair<std::string, std::string>
     split_assignment(const std::string &text, const std::string &where)
     {
@@ -36,7 +38,8 @@ namespace Signorini
       return {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
     }
 
-    /// No scene has so many; what calls itself for each would run out of stack.
+    /// Throw SceneError if sections are nested so deeply that recursion over them would exhaust the
+    /// stack.
     void
     reject_depth(const std::size_t depth, const std::string &where)
     {
@@ -46,6 +49,7 @@ namespace Signorini
                          " deep; is an end missing?");
     }
 
+    /// Recursive-descent reader of scene files, which counts lines for messages.
     class Reader
     {
     public:
@@ -56,6 +60,7 @@ namespace Signorini
         skip_byte_order_mark(in);
       }
 
+      /// Read statements up to the `end` of a section, or to the end of the file at the top level.
       void
       read(RawSection &section, const bool top)
       {
@@ -76,12 +81,14 @@ namespace Signorini
       }
 
     private:
+      /// @return the present position FILE:LINE.
       std::string
       where() const
       {
         return file_name + ":" + std::to_string(number);
       }
 
+      /// Interpret one line. Throws SceneError.
       void
       statement(RawSection &section, const std::string &line)
       {
@@ -106,7 +113,8 @@ namespace Signorini
       const std::string file_name;
       std::istream     &in;
       unsigned int      number = 0;
-      std::size_t       depth  = 0; ///< of sections within each other
+      /// Number of sections in which the present line is nested.
+      std::size_t depth = 0;
     };
   } // namespace
 

@@ -16,7 +16,8 @@ namespace Signorini
 
   namespace
   {
-    /// Of which the formula that it came from is more than its value.
+    /// @return whether values of a type may have been given by formulas, which are worth keeping
+    /// when the scene is written.
     template <typename T>
     constexpr bool
     is_number(const T &)
@@ -25,6 +26,7 @@ namespace Signorini
                std::is_same_v<T, std::vector<std::string>>);
     }
 
+    /// Throw SceneError if a value is not in a range; values without order are always accepted.
     template <typename T>
     void
     check_range(const T &, const Range &)
@@ -57,7 +59,7 @@ namespace Signorini
         check_range(value, range);
     }
 
-    /// "did you mean X? valid: A, B"
+    /// @return a hint for messages, such as "; did you mean 'X'? Valid here: A, B.".
     std::string
     hint(const std::string &word, const std::vector<std::string> &valid)
     {
@@ -111,6 +113,8 @@ namespace Signorini
 
 
 
+  // One function for all three uses: describe, write, or read a key. Errors of reading are
+  // completed by key, position and help text.
   template <typename T>
   void
   Section::add(const std::string &key, T &value, const std::string &help, const Range &range)
@@ -165,6 +169,7 @@ namespace Signorini
 
 
 
+  // The definitions become available to all keys that are added later.
   void
   Section::add_definitions(const std::string &name, Definitions &value, const std::string &help)
   {
@@ -217,7 +222,8 @@ namespace Signorini
   void
   Section::fail(const std::string &key, const std::string &what) const
   {
-    // What is missing may be there, misspelt: that is what the user wants to know.
+    // A required key that is missing may have been misspelt: then the unknown key is reported
+    // instead.
     if (raw && !is_set(key))
       for (const RawSection::Value &value : raw->values)
         if (!value.used && nearest(value.key, {key}) == key)
@@ -228,6 +234,8 @@ namespace Signorini
 
 
 
+  // Keys and sections that no declare() has asked for are errors. Items whose names the command
+  // line has replaced are exempt.
   void
   Section::close()
   {
@@ -239,7 +247,7 @@ namespace Signorini
     const bool               is_list   = names && names->used;
     const bool               is_chosen = is_list && is_override(names->where);
     for (const RawSection &section : raw->sections)
-      if (!section.used && !is_chosen) // else left out on the command line
+      if (!section.used && !is_chosen) // names replaced on the command line are exempt
         throw SceneError(section.where + ": unknown subsection '" +
                          path_of(shortened(section.name)) + "'" +
                          (is_list ? ", which is not among the Names there" : "") +
@@ -265,6 +273,7 @@ namespace Signorini
 
 
 
+  // Write the beginning of a subsection.
   Section
   Section::begin(const std::string &name, const std::string &help)
   {
@@ -285,6 +294,7 @@ namespace Signorini
 
 
 
+  // Names of items must not contain separators, and must be unique.
   void
   Section::check_names(const std::vector<std::string> &names) const
   {
@@ -301,6 +311,7 @@ namespace Signorini
 
 
 
+  // Numbers are written as the formulas by which the user has given them.
   std::string
   Section::as_given(const std::string &key, const std::string &otherwise) const
   {

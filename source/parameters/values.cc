@@ -19,7 +19,7 @@ namespace Signorini
       {
         std::ostringstream text;
         text << std::setprecision(digits) << x;
-        // stod would refuse what is rounded to infinity, and numbers below 2e-308.
+        // std::stod() would reject texts that are rounded to infinity, and numbers below 2e-308.
         if (std::strtod(text.str().c_str(), nullptr) == x)
           return text.str();
       }
@@ -228,6 +228,7 @@ namespace Signorini
 
 
 
+  // Formulas such as b/0.1 may deviate slightly from a whole number.
   void
   from_text(const Formula &text, unsigned int &value)
   {
@@ -278,6 +279,7 @@ namespace Signorini
 
   namespace
   {
+    /// Read a list of values that are separated by commas.
     template <typename T>
     void
     list_from_text(const Formula &text, std::vector<T> &value)

@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
-// The types of values: beside from_text() of section.h, how they are written, and what the user is
-// told to write.
+// The types of values of keys: how they are written, and what the user is told to write. They are
+// read by from_text() of section.h. Each type has an overload of all three functions.
 
 namespace Signorini
 {
-  /// The shortest text that reads back as the same number.
+  /// @return the shortest text that yields the same number when it is read.
+  /// @param x the number
   std::string
   number_text(double x);
 
+  /// @return a value as it is written in a scene file.
   std::string
   to_text(double value);
   std::string
@@ -41,7 +43,7 @@ namespace Signorini
   std::string
   to_text(const VectorExpression<dim, n_components> &value);
 
-  /// What the user writes for a value of that type, for the reference.
+  /// @return a description, for the reference, of what the user writes for a value of this type.
   std::string
   type_name(double);
   std::string

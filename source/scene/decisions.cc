@@ -131,6 +131,8 @@ namespace Signorini
   Decisions<dim>::materials(const unsigned int body) const
   {
     std::vector<Material> result;
+    // The flags of the displacement-pressure formulation are in the order of the materials of the
+    // body.
     for (const Material *material : scene.bodies[body].materials())
       {
         const bool is_up_formulation = has_pressure_field[body][result.size()];
@@ -144,6 +146,7 @@ namespace Signorini
 
 
 
+  // Surfaces have names BODY.BOUNDARY; obstacles have no degree.
   template <int dim>
   unsigned int
   Decisions<dim>::degree_of(const std::string &surface) const
@@ -171,6 +174,7 @@ namespace Signorini
 
 
 
+  // Quantities may refer to pairs, supports, obstacles that can move, and probes of single points.
   template <int dim>
   std::vector<QuantityName>
   Decisions<dim>::quantities() const
@@ -190,6 +194,8 @@ namespace Signorini
 
 
 
+  // The error by the contact geometry must leave room for the discretisation error within each
+  // target.
   template <int dim>
   double
   Decisions<dim>::geometry_tolerance() const
@@ -202,6 +208,8 @@ namespace Signorini
 
 
 
+  // Quantities can be checked only if all pairs are known: automatic pairs are found later, from
+  // the mesh.
   template <int dim>
   void
   Decisions<dim>::check() const

@@ -28,6 +28,7 @@ namespace Signorini
 
 
 
+  // Formulas are compiled once to check them; names of quantities must not be those of Definitions.
   void
   ExpectedResult::declare(Section &section)
   {
@@ -76,6 +77,7 @@ namespace Signorini
 
 
 
+  // Former names of entries in results.json are replaced by the present ones, with a note.
   void
   ExpectedResult::use_present_paths(Section &section, const unsigned int dim)
   {
@@ -174,6 +176,8 @@ namespace Signorini
 
 
 
+  // Each path must lead to a number (or null) in the example of a load step, or begin with an entry
+  // that only the solution determines.
   void
   check_paths(const std::vector<ExpectedResult> &expected,
               const Json                        &step,
@@ -200,6 +204,8 @@ namespace Signorini
               place = next;
               known += "/" + part;
             }
+          // Names that may follow the known part; at the top level also the entries of the whole
+          // run.
           std::vector<std::string> words;
           if (place->is_structured())
             for (const auto &[key, value] : place->items())
@@ -214,6 +220,7 @@ namespace Signorini
 
 
 
+  // The names of the quantities are constants of both formulas.
   bool
   compare(const std::vector<ExpectedResult> &expected, Json &results, std::ostream &out)
   {
@@ -224,12 +231,15 @@ namespace Signorini
         << row("Expected results", "value", "reference", "deviation", "allowed", "") << "\n";
     for (const ExpectedResult &one : expected)
       {
+        // Each quantity has the form NAME=PATH, with the path of a number in the results.
         std::map<std::string, double> constants;
         for (const std::string &quantity : one.quantities)
           {
             const auto parts    = split(quantity, '=');
             constants[parts[0]] = number_at(results, parts[1], one.name);
           }
+        // The deviation is absolute if the entry has an absolute tolerance, otherwise relative to
+        // the reference.
         const double value     = evaluate(one.value, constants),
                      reference = evaluate(one.reference, constants);
         const bool   absolute  = one.absolute_tolerance > 0;

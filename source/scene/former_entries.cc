@@ -147,6 +147,7 @@ namespace Signorini
 
 
 
+  // Former names are replaced one by one, at their positions in the path.
   std::string
   present_path(const std::string &path, const unsigned int dim)
   {

@@ -40,6 +40,7 @@ namespace Signorini
 
 
 
+  // Times, if given, replace End time and Number.
   void
   LoadSteps::declare(Section &section)
   {
@@ -82,6 +83,7 @@ namespace Signorini
   std::vector<double>
   LoadSteps::ends() const
   {
+    // The steps that the scene asks for.
     std::vector<double> result = times;
     if (times.empty() && is_automatic)
       result = {end_time};
@@ -90,6 +92,8 @@ namespace Signorini
         result.push_back(end_time * step / number);
     for (const double t : changes)
       {
+        // A change in between divides its step. Changes after the end of the history have no
+        // effect.
         const auto next = std::lower_bound(result.begin(), result.end(), t);
         if (next != result.end() && !are_one(*next, t) &&
             (next == result.begin() || !are_one(*(next - 1), t)))
@@ -100,6 +104,7 @@ namespace Signorini
 
 
 
+  // Each cut-back halves the step.
   double
   LoadSteps::shortest(const double whole) const
   {
@@ -109,6 +114,8 @@ namespace Signorini
 
 
 
+  // A step that converged may be followed by one twice as long, unless an automatic step took many
+  // Newton iterations.
   double
   LoadSteps::next_length(const double       last,
                          const unsigned int newton_steps,

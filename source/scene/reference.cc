@@ -261,6 +261,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
           for (const std::string &boundary : one->boundaries())
             words.push_back(code(boundary));
           const std::string text = join(words);
+          // Successive parts with the same boundaries share one list.
           if (lists.empty() || lists.back().first != text)
             lists.push_back({text, {}});
           lists.back().second.push_back(name);
@@ -321,6 +322,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
         out << "* " << code(choice) << ": " << about(choice) << "\n";
     }
 
+    /// Print a section with its subsections, one heading level deeper each.
     void
     print_section(const SectionPair &section,
                   const std::string &path,

@@ -29,6 +29,7 @@ namespace Signorini
 
 
 
+  // Sets of cells with materials are passed to the mesh, which assigns material ids.
   template <int dim>
   void
   Body<dim>::declare(Section &section)
@@ -144,6 +145,7 @@ namespace Signorini
     if (section.reading())
       skipped_in(skipped_items);
 
+    // Definitions come before everything that contains formulas.
     section.add_definitions("Definitions",
                             definitions,
                             "Names that stand for numbers or formulas, in all that follows: "
@@ -155,6 +157,7 @@ namespace Signorini
     section.add_named("Contact pairs",
                       pairs,
                       "Surfaces that may touch. Names = auto finds facing surfaces.");
+    // Either each contact pair has slave and master, or the only name is `auto` without them.
     auto_pairs = pairs.size() == 1 && pairs[0].name == "auto" && pairs[0].slave.empty() &&
                  pairs[0].master.empty();
     if (section.reading() && !auto_pairs)
@@ -204,6 +207,7 @@ namespace Signorini
 
 
 
+  // Times at which supports begin or cease become ends of load steps, in increasing order.
   template <int dim>
   void
   Scene<dim>::end_steps_at_support_changes()
@@ -254,6 +258,7 @@ namespace Signorini
 
 
 
+  // The master of a pair is either a boundary or the name of an obstacle.
   template <int dim>
   const Obstacle<dim> *
   Scene<dim>::obstacle_of(const ContactPair<dim> &pair) const

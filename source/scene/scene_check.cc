@@ -166,6 +166,8 @@ namespace Signorini
 
 
 
+  // Names first, since later checks rely on them: bodies, boundaries, node and cell sets, pairs;
+  // then combinations of choices.
   template <int dim>
   void
   Scene<dim>::check() const
@@ -174,12 +176,15 @@ namespace Signorini
       throw SceneError("Bodies/Names: a scene needs at least one body");
     for (const Body<dim> &body : bodies)
       body.check();
+    // All names that entries may refer to. A boundary may also be a node set of a mesh file, and a
+    // load on bodies may name a set of cells.
     const auto body_names     = names_of(bodies);
     const auto obstacle_names = names_of(obstacles);
     const auto boundaries     = boundary_names(bodies);
     const auto sets           = node_set_names(bodies);
     auto       with_cells     = cell_set_names(bodies);
     with_cells.insert(with_cells.begin(), body_names.begin(), body_names.end());
+    // Throws SceneError if a choice of nodes names a set or a body that does not exist.
     const auto require_nodes = [&](const NodeChoice &nodes) {
       std::vector<std::string> named; // the others are numbers of nodes
       for (const std::string &set : nodes.sets)
@@ -189,6 +194,7 @@ namespace Signorini
       if (!nodes.body.empty())
         require("body", {nodes.body}, body_names, nodes.point_location);
     };
+    // The names in supports, loads and contact pairs.
     for (const Support<dim> &support : supports)
       {
         require("boundary", support.boundaries, boundaries, support.place, sets);
@@ -200,6 +206,7 @@ namespace Signorini
         require_nodes(load.nodes);
         require("body or set of cells", load.bodies, with_cells, load.bodies_location);
       }
+    // The master of a pair is a boundary or a rigid obstacle, so their names must differ.
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
     for (const ContactPair<dim> &pair : named_pairs())
@@ -215,6 +222,7 @@ namespace Signorini
     check_same_pairs(named_pairs());
     for (const RefinementRegion<dim> &region : mesh.refinement_regions)
       require("body", region.bodies, body_names, region.place);
+    // All names exist. The following checks concern combinations of bodies, materials and methods.
     check_pieces(*this);
     check_axisymmetric(*this);
     check_contrast(bodies);

@@ -7,6 +7,7 @@
 
 namespace Signorini
 {
+  // Each item is KIND: text.
   std::vector<SkippedItem>
   skipped_in(const std::string &list)
   {

@@ -137,6 +137,7 @@ end
       unsigned int             n_meanings = 0;
       std::vector<std::string> unknown, known;
 
+      /// Interpret all words. Those without meaning are collected in `unknown`.
       explicit TemplateWords(const std::vector<std::string> &words)
       {
         SectionDescription all;
@@ -200,9 +201,11 @@ end
     {
       std::istringstream in(text);
       std::string        line, result, waiting, top;
-      unsigned int       depth = 0, skipped_items = 0; // depth from which on all is left out
+      unsigned int       depth = 0, skipped_items = 0; // 0: nothing is being skipped
       while (std::getline(in, line))
         {
+          // Comments wait for the line that follows them. `skipped_items` is the depth of the
+          // section that is being skipped, 0 if none.
           const std::string word  = trim(line);
           const bool        opens = word.compare(0, 11, "subsection ") == 0, closes = word == "end";
           if (word.empty() || word[0] == '#')

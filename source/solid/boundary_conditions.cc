@@ -28,6 +28,8 @@ namespace Signorini
 
 
 
+  // Read the keys of a support, then check that they fit its type: components for prescribed
+  // displacements, a normal or a direction for symmetry and rollers.
   template <int dim>
   void
   Support<dim>::declare(Section &section)
@@ -91,6 +93,8 @@ namespace Signorini
 
 
 
+  // Times are compared to 1e-10: ends of load steps, which are sums, count as the times of the
+  // scene.
   template <int dim>
   bool
   Support<dim>::acts(const double t) const
@@ -101,6 +105,8 @@ namespace Signorini
 
 
 
+  // Read the keys of a load, then check that each force has a place and each place has a force; a
+  // total force belongs to either boundaries or nodes.
   template <int dim>
   void
   Load<dim>::declare(Section &section)

@@ -7,6 +7,7 @@ namespace Signorini
 
   namespace
   {
+    /// The support points of each element as quadrature rules.
     template <int dim>
     hp::QCollection<dim>
     nodes_of(const hp::FECollection<dim> &elements)

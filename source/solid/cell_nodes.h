@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-  /// The degrees of freedom of a cell, whatever its element is.
+  /// Read the degrees of freedom of a cell, of any element. @param indices resized
   template <int dim>
   void
   read_indices(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
@@ -25,7 +25,7 @@ namespace Signorini
   class CellNodes
   {
   public:
-    /// @param elements that cells have, by their index
+    /// @param elements the elements of cells, by active FE index
     CellNodes(const Mesh<dim> &mesh, const dealii::hp::FECollection<dim> &elements);
 
     /// One point for each degree of freedom of the cell; valid until the next call.

@@ -51,7 +51,8 @@ namespace Signorini
     void
     add_normal(const Tensor<1, dim> &n, std::vector<Tensor<1, dim>> &sums)
     {
-      constexpr double cosine_of_corner = 0.64; // 50 degrees
+      // The cosine of 50 degrees.
+      constexpr double cosine_of_corner = 0.64;
       for (Tensor<1, dim> &sum : sums)
         if (n * sum > cosine_of_corner * sum.norm())
           {
@@ -82,8 +83,8 @@ namespace Signorini
     };
 
     /// Finds the constrained nodes of supports by boundaries, node sets and points. Visits locally
-    /// owned and ghost cells, so that each rank knows the constraints of all its relevant degrees
-    /// of freedom. Hanging nodes are skipped. Refers to its arguments.
+    /// owned and ghost cells, so that the constraints of all relevant degrees of freedom are found
+    /// without communication. Hanging nodes are skipped. Refers to its arguments.
     template <int dim>
     class NodeConstrainer
     {

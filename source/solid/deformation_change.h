@@ -8,7 +8,8 @@
 
 namespace Signorini
 {
-  /// The error of a small-strain solution: what it neglects of finite strain.
+  /// The estimated error of a small-strain solution by the neglected terms of finite strain
+  /// (doc/theory, 6.7).
   struct DeformationChange
   {
     double work   = 0; ///< int |(P - sigma) : Grad u| dV over int |sigma : Grad u| dV; at most 1
@@ -16,13 +17,14 @@ namespace Signorini
     double largest_rotation = 0; ///< largest angle of the linear rotation [radian]
   };
 
-  /// At the solution u, whose stress is sigma at small strain; P is the first Piola-Kirchhoff
-  /// stress of the same displacement by these laws. Both the squares of strains and those of
-  /// rotations, which are strains to sigma, make it. Cells that are folded count as wholly wrong.
-  /// Where bodies bend, rotations of order t make the share t^2 over the strain, which is more than
-  /// what the deflection lacks: an upper bound rather than an estimate. Collective.
-  /// @param elasticity of small strain, without thermal expansion
-  /// @param laws one a body
+  /// Estimate the error of the small-strain solution u. P is the first Piola-Kirchhoff stress of
+  /// the given laws for the same displacement, sigma the stress at small strain. Both squares of
+  /// strains and squares of rotations, which sigma takes for strains, contribute. Cells that are
+  /// inverted count as completely wrong. Where bodies bend, rotations of order t contribute t^2
+  /// over the strain, which is more than the error of the deflection: the result is an upper bound
+  /// rather than an estimate. Collective.
+  /// @param elasticity at small strain, without thermal expansion
+  /// @param laws one for each material id
   template <int dim>
   DeformationChange
   deformation_change(const Elasticity<dim>                                     &elasticity,

@@ -33,6 +33,8 @@ namespace Signorini
 
 
 
+  // Evaluate the scalar shape functions at the Gauss points of a cell, with the mapping, rule and
+  // element of its degree. The values and the numbering of its nodes are valid until the next cell.
   template <int dim>
   void
   DeformationKernel<dim>::reinit(const Cell &cell)
@@ -48,6 +50,7 @@ namespace Signorini
 
 
 
+  // F = 1 + Grad u of the reference configuration, with the hoop stretch in axisymmetric models.
   template <int dim>
   Tensor<2, 3>
   DeformationKernel<dim>::gradient(const unsigned int q, const Vector<double> &u) const
@@ -186,6 +189,8 @@ namespace Signorini
 
 
 
+  // The tangents of all quadrature points of a cell, for matrix-free products (doc/theory, 7.9).
+  // Returns false, with some of the points only, if the cell is inverted.
   template <int dim>
   bool
   DeformationKernel<dim>::tangents(const Cell           &cell,
@@ -308,6 +313,8 @@ namespace Signorini
 
 
 
+  // The internal variables that the law would have at the end of the step, point by point; empty if
+  // the cell is inverted.
   template <int dim>
   PointVariables
   DeformationKernel<dim>::internal(const Cell           &cell,
@@ -330,6 +337,8 @@ namespace Signorini
 
 
 
+  // det F at all Gauss points of a cell, for the step length (doc/theory, 4.7); valid until the
+  // next call.
   template <int dim>
   const std::vector<double> &
   DeformationKernel<dim>::volume_ratios(const Cell &cell, const Vector<double> &u)

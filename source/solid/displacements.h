@@ -26,12 +26,14 @@ namespace Signorini
   class Displacements
   {
   public:
+    /// The mesh of all bodies.
     const Mesh<dim> &
     mesh() const
     {
       return my_mesh;
     }
 
+    /// The relation of the mesh to the bodies: space, plane strain, plane stress, or axisymmetric.
     Model
     model() const
     {
@@ -45,6 +47,7 @@ namespace Signorini
       return dofs;
     }
 
+    /// The degrees of freedom of the mesh, to be changed by refinement.
     dealii::DoFHandler<dim> &
     dof_handler()
     {
@@ -154,6 +157,7 @@ namespace Signorini
 
     // Rigid bodies that move
 
+    /// The rigid bodies whose motions are unknown or prescribed.
     const std::vector<RigidBody<dim>> &
     rigid_bodies() const
     {

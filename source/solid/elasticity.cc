@@ -64,6 +64,7 @@ namespace Signorini
 
 
 
+  // Collective.
   template <int dim>
   void
   Elasticity<dim>::setup(const double t)
@@ -209,6 +210,7 @@ namespace Signorini
 
 
 
+  // Forces and moments on free components of rigid bodies, by the rank that owns them.
   template <int dim>
   void
   Elasticity<dim>::add_rigid_bodies(LA::Vector &f) const

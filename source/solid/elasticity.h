@@ -131,6 +131,7 @@ namespace Signorini
            const dealii::Tensor<1, dim>    &u,
            const dealii::Point<dim>        &x) const;
 
+    /// The material of a material id.
     const Material &
     material(const unsigned int id) const
     {
@@ -145,12 +146,14 @@ namespace Signorini
       return materials;
     }
 
+    /// All loads of the scene.
     const std::vector<Load<dim>> &
     loads() const
     {
       return my_loads;
     }
 
+    /// The thermal strain at the time of set_time(); ThermalStrain::any() is false without one.
     const ThermalStrain<dim> &
     thermal() const
     {
@@ -165,6 +168,7 @@ namespace Signorini
       return my_volumetric_stress;
     }
 
+    /// The volumetric stress, for solvers that update it.
     VolumetricStress<dim> &
     volumetric_stress()
     {
@@ -178,6 +182,7 @@ namespace Signorini
       return my_history;
     }
 
+    /// The internal variables, to be set at the start of a load step.
     MaterialHistory<dim> &
     material_history()
     {

@@ -10,10 +10,10 @@
 
 namespace Signorini
 {
-  /// F = I + Grad u in space at point q of a cell or face.
-  /// @param values of the scalar element: values, gradients, points
-  /// @param dofs those of the nodes, see dofs_of_nodes()
-  /// @param u the displacement at the degrees of freedom of the cell
+  /// The deformation gradient F = I + Grad u in three dimensions at point q of a cell or face.
+  /// @param values of the scalar element: values, gradients and quadrature points
+  /// @param dofs degrees of freedom node by node, see dofs_of_nodes()
+  /// @param u displacement at the degrees of freedom of the cell
   template <int dim>
   dealii::Tensor<2, 3>
   gradient_at_point(const Model                      model,

@@ -22,6 +22,7 @@ namespace Signorini
       return values.get_present_fe_values();
     }
 
+    /// Evaluate the face values on a face of a cell, in the same way.
     template <int dim>
     const FEFaceValues<dim> &
     reinit(hp::FEFaceValues<dim>                                &values,
@@ -177,6 +178,8 @@ namespace Signorini
 
 
 
+  // Body forces, nodal forces and surface loads of a cell, in this order. Returns false if the cell
+  // has none of them, so that the caller need not distribute zeros.
   template <int dim>
   bool
   LoadKernel<dim>::assemble(const Cell &cell, Vector<double> &cell_load)
@@ -205,6 +208,8 @@ namespace Signorini
 
 
 
+  // Keep a message for the first value that is not finite. It is thrown later on all ranks
+  // together, since an exception on one of them would leave the others waiting.
   template <int dim>
   void
   LoadKernel<dim>::check(const double       size,

@@ -58,6 +58,7 @@ namespace Signorini
 
 
 
+  // If no law has internal variables, the list is emptied, and nothing is stored.
   template <int dim>
   MaterialHistory<dim>::MaterialHistory(const Mesh<dim>             &mesh,
                                         const DoFHandler<dim>       &dof_handler,
@@ -97,6 +98,9 @@ namespace Signorini
 
 
 
+  // Set the variables at the start of a load step from those of another mesh or partition: cells
+  // that exist in both keep them, others interpolate them from their parent or children. Points
+  // without any source stay at zero, the virgin state. Collective.
   template <int dim>
   void
   MaterialHistory<dim>::start(const CellVariables &before, const double duration)

@@ -9,20 +9,24 @@
 
 namespace Signorini
 {
-  /// Forces at nodes and points, each on one of the cells that have it: whatever the degree of the
-  /// displacement there, its functions take shares of the force that add up to it, with the same
-  /// moment, f_i = N_i(x) F.
+  /// Forces at nodes and points. Each acts on one of the cells that have the point: its shape
+  /// functions, of any degree, distribute the force, f_i = N_i(x) F, with the same resultant and
+  /// moment.
   template <int dim>
   class NodalForces
   {
   public:
+    /// A force at a point of a cell.
     struct Force
     {
-      const Load<dim>   *load;
-      dealii::Point<dim> unit; ///< in the cell
+      const Load<dim> *load;
+      /// The point in reference coordinates of the cell.
+      dealii::Point<dim> unit;
       dealii::Point<dim> position;
-      unsigned int       n_shares; ///< of a total force
+      /// Number of nodes that share a total force.
+      unsigned int n_shares;
 
+      /// The force at time t [force].
       dealii::Tensor<1, dim>
       value(double t) const;
     };
@@ -35,8 +39,10 @@ namespace Signorini
     on(unsigned int active_cell) const;
 
   private:
+    /// Add the forces at the nodes of sets.
     void
     add_set(const Mesh<dim> &mesh, const Load<dim> &load, const std::vector<std::string> &sets);
+    /// Add the force at a point.
     void
     add_point(const Mesh<dim> &mesh, const Load<dim> &load);
 

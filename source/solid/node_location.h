@@ -41,6 +41,7 @@ namespace Signorini
       unsigned int       node;
     };
 
+    /// True if all corners of the edge, face or cell inside of which the point lies are in the set.
     bool
     has_corners_around(const std::vector<Listed> &listed, const dealii::Point<dim> &unit) const;
 

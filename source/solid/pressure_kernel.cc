@@ -24,6 +24,8 @@ namespace Signorini
 
 
 
+  // At finite strain pressures follow the surface, see PressureKernel; other loads keep their
+  // direction and their amount per reference area.
   template <int dim>
   std::vector<Load<dim>>
   dead_loads(const Elasticity<dim> &elasticity)
@@ -91,6 +93,8 @@ namespace Signorini
 
 
 
+  // Follower pressures on all boundary faces of a cell. Returns false, with `forces` unchanged, if
+  // there are none, as for almost all cells.
   template <int dim>
   bool
   PressureKernel<dim>::assemble(const Cell           &cell,

@@ -141,6 +141,8 @@ namespace Signorini
 
 
 
+    // In the displaced position nodes have other lever arms; at small strain the difference is
+    // neglected.
     template <int dim>
     template <typename Indices>
     Point<dim>
@@ -155,6 +157,7 @@ namespace Signorini
 
 
 
+    // Add the nodal forces of the loads of a cell to the resultants of all loads and of its body.
     template <int dim>
     void
     Sums<dim>::add_load(const Cell                                 &cell,
@@ -182,6 +185,8 @@ namespace Signorini
 
 
 
+    // The loop is over all cells of this rank. Element residuals are evaluated only where there are
+    // loads or supports, since internal forces of other cells are not part of any resultant.
     template <int dim>
     LA::Vector
     Sums<dim>::add_loads()
@@ -249,6 +254,7 @@ namespace Signorini
 
 
 
+    // A constrained node is visited by the rank that owns it only, so that no force counts twice.
     template <int dim>
     void
     Sums<dim>::add_supports(const LA::Vector &residual)
@@ -265,6 +271,7 @@ namespace Signorini
 
 
 
+    // Resultants are small: one reduction for the force and one for the moment of each. Collective.
     template <int dim>
     void
     Sums<dim>::sum_over_ranks(Resultant<dim> &resultant) const

@@ -12,14 +12,18 @@ namespace Signorini
   template <int dim>
   struct Reactions
   {
-    std::vector<Resultant<dim>> supports; ///< each on all bodies
-    Resultant<dim>              load;     ///< on all bodies
-    std::vector<Resultant<dim>> bodies;   ///< all supports and loads on each body
+    /// The resultant of each support, over all bodies.
+    std::vector<Resultant<dim>> supports;
+    /// The resultant of all loads, over all bodies.
+    Resultant<dim> load;
+    /// The resultant of all supports and loads on each body.
+    std::vector<Resultant<dim>> bodies;
   };
 
-  /// At the present time of the elasticity. Supports exert internal forces minus loads minus
-  /// contact forces at the degrees of freedom of each. Axisymmetric: along the axis alone, as the
-  /// circumference is in balance, and no moments. Collective.
+  /// The resultants at the present time of the elasticity. The forces of supports are internal
+  /// forces minus loads minus contact forces at constrained degrees of freedom. In axisymmetric
+  /// models forces are along the axis only, since radial ones are in equilibrium around the
+  /// circumference, and there are no moments. Collective.
   /// @param u displacement of all degrees of freedom
   /// @param contact_force forces of contact on all degrees of freedom, hanging nodes condensed
   template <int dim>

@@ -22,7 +22,7 @@ namespace Signorini
     }
   };
 
-  /// x cross f; in 2D its only component comes first.
+  /// The moment x x f; in 2D its only component is the first one.
   template <int dim>
   dealii::Tensor<1, 3>
   moment_of(const dealii::Point<dim> &x, const dealii::Tensor<1, dim> &f)

@@ -79,6 +79,7 @@ namespace Signorini
 
 
 
+  // A component is free if it is written as such. Without any formula the body is at rest.
   template <int dim>
   bool
   RigidBody<dim>::is_free(const unsigned int i) const
@@ -90,6 +91,7 @@ namespace Signorini
 
 
 
+  // Rotations are multiplied by the length scale, so that all unknowns of the body are lengths.
   template <int dim>
   double
   RigidBody<dim>::prescribed(const unsigned int i,
@@ -105,6 +107,7 @@ namespace Signorini
 
 
 
+  // Moments are divided by the length scale: their work on the unknown is that on the rotation.
   template <int dim>
   double
   RigidBody<dim>::load(const unsigned int i,

@@ -9,7 +9,7 @@
 
 namespace Signorini
 {
-  /// The scalar elements that all components of vector-valued elements have.
+  /// The scalar element of the components of each vector-valued element.
   template <int dim>
   dealii::hp::FECollection<dim>
   scalar_elements(const dealii::hp::FECollection<dim> &elements)
@@ -20,7 +20,8 @@ namespace Signorini
     return result;
   }
 
-  /// Gauss points of each, so many more a direction than its degree.
+  /// For each element a Gauss rule with `beyond_degree` points more than its degree, in each
+  /// direction.
   template <int dim, int rule_dim = dim>
   dealii::hp::QCollection<rule_dim>
   gauss_rules(const dealii::hp::FECollection<dim> &elements, const unsigned int beyond_degree)
@@ -31,8 +32,8 @@ namespace Signorini
     return result;
   }
 
-  /// Of each element the degrees of freedom node by node, which it finds by searching only: that of
-  /// component d of node i is at dim i + d.
+  /// For each element, its degrees of freedom node by node: that of component d of node i is at
+  /// position dim i + d.
   template <int dim>
   std::vector<std::vector<unsigned int>>
   dofs_of_nodes(const dealii::hp::FECollection<dim> &elements)

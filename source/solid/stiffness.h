@@ -40,6 +40,7 @@ namespace Signorini
     virtual dealii::IndexSet
     owned() const = 0;
 
+    /// The communicator of all ranks.
     virtual MPI_Comm
     communicator() const = 0;
   };
@@ -83,7 +84,7 @@ namespace Signorini
 
   /// The stiffness K of the bodies, the derivative of the internal forces with respect to the
   /// displacement, as the solvers use it. Products do not need an assembled matrix; it is assembled
-  /// only where a preconditioner asks for it.
+  /// only where a preconditioner needs it.
   class Stiffness
   {
   public:
@@ -132,9 +133,11 @@ namespace Signorini
     virtual dealii::IndexSet
     owned() const = 0;
 
+    /// The communicator of all ranks.
     virtual MPI_Comm
     communicator() const = 0;
 
+    /// The number of degrees of freedom of all ranks.
     dealii::types::global_dof_index
     size() const
     {

@@ -85,6 +85,7 @@ namespace Signorini
 
 
 
+  // Keep a message for the first value that is not finite; such values are not added.
   template <int dim>
   bool
   SurfaceLoads<dim>::check_finite_value(const double       size,
@@ -102,6 +103,8 @@ namespace Signorini
 
 
 
+  // The sum of traction, pressure and distributed total force of all loads at a point of the
+  // boundary.
   template <int dim>
   SurfaceLoad<dim>
   SurfaceLoads<dim>::at(const types::boundary_id id, const Point<dim> &x)
@@ -131,6 +134,7 @@ namespace Signorini
 
 
 
+  // True if any load on a common part of the boundary depends on time.
   template <int dim>
   bool
   surface_loads_vary(const Mesh<dim>              &mesh,

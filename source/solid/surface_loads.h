@@ -66,6 +66,7 @@ namespace Signorini
     }
 
   private:
+    /// Compute the areas of boundaries with total forces. Collective.
     void
     measure_boundaries(const Mesh<dim>                     &mesh,
                        const dealii::hp::FECollection<dim> &elements,

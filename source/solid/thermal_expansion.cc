@@ -9,6 +9,8 @@ namespace Signorini
 
   namespace
   {
+    /// The names of the variables of a temperature formula: coordinates, time, and the field of the
+    /// mesh file if there is one.
     template <int dim>
     std::vector<std::string>
     variables(const bool with_field)
@@ -24,6 +26,8 @@ namespace Signorini
 
 
 
+  // Read the keys, and compile the formula: an empty one with a field of the mesh file stands for
+  // that field itself.
   template <int dim>
   void
   ThermalExpansion<dim>::declare(Section &section, const bool mesh_has_field)
@@ -89,6 +93,7 @@ namespace Signorini
 
 
 
+  // Arguments are in the order of variables(); the last one is not read without a field.
   template <int dim>
   double
   ThermalExpansion<dim>::value(const Point<dim> &x, const double t, const double field) const

@@ -73,6 +73,7 @@ namespace Signorini
 
 
 
+  // Discard all coefficients, since they belong to another mesh.
   template <int dim>
   void
   ThermalStrain<dim>::reinit()

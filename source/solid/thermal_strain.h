@@ -18,34 +18,35 @@ namespace Signorini
   /// The thermal strain of bodies on the present mesh, at one time: alpha_i (T - T_0) along the
   /// axes, so that sigma = C : (eps(u) - eps_thermal).
   ///
-  /// In each cell, the rise T - T_0 is taken for the polynomial in x that fits it best (L2), of one
-  /// degree less than the displacement, as strains are: constant with degree 1, linear with
-  /// degree 2. With more, stresses within cells would oscillate where the strain cannot follow
-  /// (Prathap, Naganarayana, Computers & Structures 54 (1995)); a free body with
-  /// such a temperature is free of stress at all points.
+  /// In each cell the rise T - T_0 is replaced by its L2 projection onto polynomials in x of one
+  /// degree less than the displacement, as strains are: constant for degree 1, linear for degree 2.
+  /// With a higher degree, stresses within cells would oscillate, since the strain cannot follow
+  /// (Prathap, Naganarayana, Computers & Structures 54 (1995); doc/theory, 6.4); a body with such a
+  /// temperature that expands freely is free of stress at all points.
   template <int dim>
   class ThermalStrain
   {
   public:
     using Cell = dealii::CellAccessor<dim>;
 
-    /// Keeps a reference to the mesh. @param expansions by material ids, or none
-    /// @param degrees of the displacement, by material ids too
+    /// Keeps a reference to the mesh.
+    /// @param expansions by material id, or none
+    /// @param degrees of the displacement, by material id
     ThermalStrain(const Mesh<dim>                          &mesh,
                   const std::vector<ThermalExpansion<dim>> &expansions,
                   const std::vector<unsigned int>          &degrees,
                   Model                                     model);
 
-    /// False if no body expands: then there is nothing to do, and nothing is stored.
+    /// True if a body expands; otherwise nothing is stored.
     bool
     any() const;
 
-    /// To be called when the mesh has changed, before set_time().
+    /// Discard all values after a change of the mesh; to be called before set_time().
     void
     reinit();
 
-    /// Evaluate the temperatures at time t, unless they are known. Throws SceneError, on all ranks,
-    /// where a temperature is not a number. Collective.
+    /// Evaluate the temperatures at time t, unless they are those of that time already. Throws
+    /// SceneError on all ranks where a temperature is not a number. Collective.
     void
     set_time(double t);
 
@@ -57,17 +58,20 @@ namespace Signorini
     dealii::Tensor<1, 3>
     strain(const Cell &cell, const dealii::Point<dim> &x) const;
 
-    /// The stress that takes a rise by 1 to suppress, with the sign of C : alpha, along the axes.
+    /// The stress C : alpha along the axes that suppresses a rise of one [force/(area
+    /// temperature)].
+    /// @param id of the material
     dealii::Tensor<1, 3>
     stress_of_unit_rise(const Material &material, unsigned int id) const;
 
+    /// True if the material with this id expands.
     bool
     expands(const unsigned int id) const
     {
       return any() && expansions[id].given();
     }
 
-    // For what refers to rises on other ranks:
+    // The rise as a global vector, for matrices that refer to cells of other ranks:
 
     /// temperature_change() as a combination of coefficients(), by their indices.
     std::vector<std::pair<dealii::types::global_dof_index, double>>
@@ -89,12 +93,17 @@ namespace Signorini
   private:
     using Monomials = std::array<double, dim + 1>;
 
+    /// The polynomials at a point of a cell: 1, then the scaled coordinates.
     Monomials
     monomials(const Cell &cell, const dealii::Point<dim> &x) const;
+    /// Compute the coefficients of the cell that `values` refer to. @param result n_coefficients
+    /// numbers
     void
     fit(const dealii::FEValues<dim> &values, double t, unsigned int degree, double *result);
+    /// The temperature at quadrature point q.
     double
     temperature(const dealii::FEValues<dim> &values, unsigned int q, double t) const;
+    /// Throws SceneError on all ranks if any rank has a bad point. Collective.
     void
     throw_if_invalid(unsigned int id, double t, const std::vector<dealii::Point<dim>> &bad) const;
 
@@ -102,14 +111,17 @@ namespace Signorini
     const std::vector<ThermalExpansion<dim>> expansions;
     const std::vector<unsigned int>          degrees;
     const Model                              model;
-    unsigned int                             n_coefficients; ///< of a cell
-    std::vector<double>                      of_cells;       ///< by their active indices
-    std::vector<double>                      times;          ///< of each body's values
+    /// Number of coefficients of each cell.
+    unsigned int n_coefficients;
+    /// The coefficients of owned and ghost cells, by active cell index.
+    std::vector<double> of_cells;
+    /// The time of the present values, by material id; NaN: none.
+    std::vector<double> times;
   };
 
-  /// The forces of thermal strain, int (C : eps_thermal) : eps(v) dV, cell by cell. Integrated as
-  /// the stiffness is, so that the two are in balance for the displacement of a body that expands
-  /// freely. Keeps references to its arguments.
+  /// The forces of thermal strain, int (C : eps_T) : eps(v) dV, cell by cell (the last term of
+  /// doc/theory, (1.4)). They are integrated as the stiffness is, so that both are in equilibrium
+  /// for the displacement of free expansion. Keeps references to its arguments.
   template <int dim>
   class ThermalLoad
   {
@@ -121,7 +133,7 @@ namespace Signorini
                 const ThermalStrain<dim>            &thermal,
                 Model                                model);
 
-    /// Add them to the vector, which has the size of the cell. Returns false if there are none.
+    /// Add the forces to a vector of the size of the cell. Returns false if there are none.
     bool
     add(const DofCell &cell, const Material &material, dealii::Vector<double> &cell_load);
 

@@ -118,6 +118,8 @@ namespace Signorini
 
 
 
+  // Determine the unconstrained combinations of rigid-body modes of all pieces; the small
+  // eigenvalue problems are solved on each rank. Collective.
   template <int dim>
   void
   UnsupportedModes<dim>::find()
@@ -138,6 +140,7 @@ namespace Signorini
 
 
 
+  // Free components of rigid obstacles are unconstrained without any eigenvalue problem.
   template <int dim>
   bool
   UnsupportedModes<dim>::any() const
@@ -149,6 +152,7 @@ namespace Signorini
 
 
 
+  // The order of names is that of motions(): first the pieces of the mesh, then the obstacles.
   template <int dim>
   std::vector<std::string>
   UnsupportedModes<dim>::names() const
@@ -244,6 +248,8 @@ namespace Signorini
 
 
 
+  // Displacement fields of the unconstrained modes; each entry is set by the rank that owns it. A
+  // free component of an obstacle is the unit vector of its degree of freedom. Collective.
   template <int dim>
   std::vector<UnconstrainedMode>
   UnsupportedModes<dim>::motions() const

@@ -60,8 +60,10 @@ namespace Signorini
       dealii::Vector<double> modes;
     };
 
+    /// The Gram matrices of the constrained directions, one for each piece. Collective.
     std::vector<dealii::FullMatrix<double>>
     gram_of_constrained_directions() const;
+    /// Set the motions of the pieces in the first entries of a list.
     void
     set_motions_of_pieces(std::vector<UnconstrainedMode> &result) const;
 

@@ -14,6 +14,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // If no material is in displacement-pressure form, the lists stay empty, and with them all
+  // functions of this class.
   template <int dim>
   VolumetricStress<dim>::VolumetricStress(const Mesh<dim>             &mesh,
                                           const std::vector<Material> &materials,
@@ -169,6 +171,7 @@ namespace Signorini
 
 
 
+  // m = sum_i m_i phi_i at a point of a cell, zero in other bodies.
   template <int dim>
   double
   VolumetricStress<dim>::value(const Cell &cell, const Point<dim> &x) const
@@ -182,6 +185,7 @@ namespace Signorini
 
 
 
+  // The coefficients of cells that this rank owns as a distributed vector. Collective.
   template <int dim>
   LA::Vector
   VolumetricStress<dim>::coefficients() const

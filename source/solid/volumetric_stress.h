@@ -131,16 +131,21 @@ namespace Signorini
       Functions                                    coefficients{};
     };
 
+    /// The basis of an owned or ghost cell with the field.
     const Basis &
     basis(const Cell &cell) const
     {
       return of_cells[number[cell.active_cell_index()]];
     }
 
+    /// Number the degrees of freedom. Collective.
     void
     distribute_dofs();
+    /// Make the bases of the owned and ghost cells with the field.
     void
     make_bases();
+    /// Set center, size and rows of a basis. @param values quadrature of the cell @param unit size
+    /// of the functions [force/length^3]
     void
     orthogonalise(const dealii::FEValues<dim> &values, double unit, Basis &basis) const;
 

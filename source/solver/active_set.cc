@@ -35,6 +35,7 @@ namespace Signorini
 
 
 
+  // The set itself is kept; the hashes of former sets and the counts of changes are deleted.
   void
   ActiveSet::restart()
   {
@@ -140,8 +141,9 @@ namespace Signorini
     const MPI_Comm         comm     = gap.get_mpi_communicator();
     const double           rounding = coordinate_rounding();
     std::vector<double>    deepest(n, 0.);
-    std::vector<double>    share(n, 0.5); // of the deepest, from which on points count
-    const auto             visit = [&](const auto &action) {
+    // Share of the deepest penetration from which on points count, by pair.
+    std::vector<double> share(n, 0.5);
+    const auto          visit = [&](const auto &action) {
       auto pair = contact.origin.pair.begin();
       for (const auto i : gap.locally_owned_elements())
         action(i, *pair++);
@@ -245,6 +247,8 @@ namespace Signorini
 
 
 
+  // Among the points of pairs with separation only significantly penetrating ones remain closed,
+  // see restrict_to_deepest(), or none. Collective.
   unsigned int
   ActiveSet::deactivate_zero_gap(const LA::Vector &gap)
   {
@@ -263,6 +267,7 @@ namespace Signorini
 
 
 
+  // Points with a gap of zero to rounding close, as slipping ones. Collective.
   unsigned int
   ActiveSet::activate_zero_gap(const LA::Vector &gap)
   {

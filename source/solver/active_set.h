@@ -159,6 +159,7 @@ namespace Signorini
     bool
     update(const LawInputs &in, unsigned int n, bool was_idle, NewtonStep &step);
 
+    /// Values of ContactStatus of the present set.
     const LA::Vector &
     status() const
     {
@@ -180,6 +181,7 @@ namespace Signorini
       return my_reduction;
     }
 
+    /// The present set with its history.
     const ActiveSet &
     set() const
     {

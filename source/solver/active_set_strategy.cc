@@ -11,12 +11,13 @@ namespace Signorini
   namespace
   {
     /// Reduction of residuals by linear solves after an active set has recurred.
-    constexpr double       fine_reduction = 1e-6;
-    constexpr unsigned int steps_of_growth =
-      5; // of a cold start, see ActiveSet::restrict_to_deepest()
-    constexpr unsigned int patience =
-      10; // steps that change the set, before something else is tried
-  }       // namespace
+    constexpr double fine_reduction = 1e-6;
+    /// Number of steps of a start without contact pressure in which the active set may grow step by
+    /// step, see ActiveSet::restrict_to_deepest().
+    constexpr unsigned int steps_of_growth = 5;
+    /// Number of steps that change the set before another strategy is used.
+    constexpr unsigned int patience = 10;
+  } // namespace
 
 
 

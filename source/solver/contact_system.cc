@@ -201,6 +201,8 @@ namespace Signorini
 
 
 
+  // Laws with constant derivatives need no tractions: only the statuses of points change the
+  // system.
   void
   ContactSystem::set_status(const LA::Vector &status)
   {
@@ -384,6 +386,7 @@ namespace Signorini
 
 
 
+  // dst = contact blocks times src, without K: those of the multipliers, or the surface stiffness.
   void
   ContactSystem::contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const
   {

@@ -75,6 +75,7 @@ namespace Signorini
       transposed = wanted && !is_symmetric();
     }
 
+    /// True if vmult() is that of the transposed matrix.
     bool
     is_transposed() const
     {
@@ -93,6 +94,7 @@ namespace Signorini
       uses_geometric = wanted;
     }
 
+    /// True if the contact geometric stiffness G is part of the system matrix.
     bool
     uses_geometric_stiffness() const
     {
@@ -172,6 +174,7 @@ namespace Signorini
       return my_volumetric;
     }
 
+    /// The gap operator of the contact law.
     const GapOperator &
     gap_operator() const
     {
@@ -194,20 +197,24 @@ namespace Signorini
       return surface;
     }
 
+    /// The blocks of the saddle point system, diagonal in the points (doc/theory, (4.5), (4.6)): A
+    /// of each component.
     const LA::Vector &
-    coupling() const ///< A, of each component
+    coupling() const
     {
       return A;
     }
 
+    /// The blocks C, [residual component][component of the gap].
     const Blocks &
-    constraint() const ///< C
+    constraint() const
     {
       return C;
     }
 
+    /// The blocks I, [residual component][component of the traction].
     const Blocks &
-    identity() const ///< I
+    identity() const
     {
       return I;
     }
@@ -219,10 +226,12 @@ namespace Signorini
       std::vector<std::vector<double>> D, X, Y, Z;
     };
 
+    /// Set the blocks of one point.
     void
     linearise(dealii::types::global_dof_index point,
               const LawResponse              &response,
               ContactStatus                   status);
+    /// Make the sparsity pattern of the surface stiffness from the columns of B_free.
     void
     make_surface_pattern();
     /// Assemble the surface stiffness. B and S have a row for each point, and often dozens of
@@ -233,8 +242,10 @@ namespace Signorini
     /// Returns false if there was nothing to add.
     bool
     add_point(dealii::FullMatrix<double> &block, int point, const Sums &of) const;
+    /// dst += B^T D B src and the terms of the normal stress, by the surface stiffness. Collective.
     void
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
+    /// Add the rows and columns of the multipliers. Collective.
     void
     add_multipliers(LA::BlockVector &dst, const LA::BlockVector &src) const;
     /// Add the rows and columns of the volumetric stress.

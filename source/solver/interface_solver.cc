@@ -70,7 +70,8 @@ namespace Signorini
   LA::Vector
   dominant_interface_dofs(const ContactSystem &system, const unsigned int n_components)
   {
-    constexpr double                     little = 0.2; // of the node's largest entry
+    // Smaller components of the gap's gradient at a node are omitted, relative to its largest one.
+    constexpr double                     little = 0.2;
     std::vector<types::global_dof_index> nodes;
     if (!system.gap_operator().empty())
       nodes = LA::global_columns(system.gap_operator().B_free);
@@ -246,6 +247,7 @@ namespace Signorini
 
 
 
+  // -G of the geometric stiffness, for the entries whose row and column are both included.
   void
   InterfaceSolver::collect_geometric(Entries &entries) const
   {
@@ -257,6 +259,8 @@ namespace Signorini
 
 
 
+  // B^T D B (or the unsymmetric form with normal stresses) is available as a matrix over the local
+  // columns, see ContactSystem.
   void
   InterfaceSolver::collect_contact_stiffness(Entries &entries) const
   {
@@ -321,6 +325,7 @@ namespace Signorini
 
 
 
+  // Call act(block, local point) for the multipliers of this rank, in the order of their numbers.
   template <typename Action>
   void
   InterfaceSolver::for_each_multiplier(const Action &act) const
@@ -335,6 +340,7 @@ namespace Signorini
 
 
 
+  // x += R^T (R A R^T)^-1 R r (doc/theory, (7.5)), for a residual r that is known. Collective.
   void
   InterfaceSolver::add_correction(LA::BlockVector &x, const LA::BlockVector &r) const
   {

@@ -74,10 +74,13 @@ namespace Signorini
     /// Collect the entries of the restricted matrix on this rank.
     void
     collect(Entries &entries) const;
+    /// Collect the entries of the contact stiffness (condensed form).
     void
     collect_contact_stiffness(Entries &entries) const;
+    /// Collect the entries of the multipliers (saddle point form).
     void
     collect_multipliers(Entries &entries) const;
+    /// Collect the entries of the contact geometric stiffness.
     void
     collect_geometric(Entries &entries) const;
 

@@ -26,6 +26,8 @@ namespace Signorini
       return contact;
     }
 
+    /// Times and iterations of one linear solution from scratch, with the contact system without
+    /// points. The clock synchronises the ranks. Collective.
     template <int dim>
     LinearReference
     measure(Elasticity<dim>            &elasticity,
@@ -95,7 +97,9 @@ namespace Signorini
         if (best.iterations == 0 || result.seconds() < best.seconds())
           best = result;
       }
-    best.iterations = fewest; // not that of the faster one: it would depend on the clock
+    // The smaller number of iterations, not that of the faster solution, which depends on the
+    // clock.
+    best.iterations = fewest;
     return best;
   }
 

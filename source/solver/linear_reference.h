@@ -10,11 +10,13 @@ namespace Signorini
   /// contact on the same mesh.
   struct LinearReference
   {
-    double       seconds_assembly = 0, seconds_preconditioner = 0, seconds_krylov = 0;
-    unsigned int iterations = 0; ///< of the near null space that takes fewer
+    double seconds_assembly = 0, seconds_preconditioner = 0, seconds_krylov = 0;
+    /// Iterations with the near-null space that needs fewer.
+    unsigned int iterations = 0;
     /// The faster near-null space; the seconds are those with it.
     NearNullSpace near_null_space = NearNullSpace::rigid_body_modes;
 
+    /// The sum of the three times [s].
     double
     seconds() const
     {

@@ -306,13 +306,14 @@ namespace Signorini
     if (bodies.volumetric())
       return finds_negative_curvature(forces);
     const auto sees_one = [&] {
+      // The solver stops at the first direction of negative curvature. If it fails, the directions
+      // so far count.
       try
         {
-          linear_solver.solve(
-            x, forces, enough, 0., NegativeCurvature::report); // no farther than the first one
+          linear_solver.solve(x, forces, enough, 0., NegativeCurvature::report);
         }
       catch (const SolverFailure &)
-        {} // what it has seen counts
+        {}
       return linear_solver.tangent_is_indefinite();
     };
     const bool did_include =
@@ -329,8 +330,9 @@ namespace Signorini
   bool
   Newton::finds_negative_curvature(LA::BlockVector forces)
   {
-    constexpr unsigned int most   = 4;
-    constexpr double       enough = 0.1; // each turn makes up for what the one before has left
+    constexpr unsigned int most = 4;
+    // Low accuracy suffices: an error is reduced by the next iteration.
+    constexpr double enough = 0.1;
     if (!bodies.is_symmetric())
       return false;
     const LA::Vector size = bodies.stiffness().diagonal();
@@ -350,7 +352,8 @@ namespace Signorini
           }
       }
     catch (const SolverFailure &)
-      {} // as good as singular
+      // The tangent is singular to rounding.
+      {}
     return false;
   }
 

@@ -25,6 +25,7 @@ namespace Signorini
     /// accept the result.
     std::function<bool()> is_sufficient;
 
+    /// True if a result may be accepted before the residual meets the tolerance.
     bool
     is_partial() const
     {
@@ -66,6 +67,7 @@ namespace Signorini
     bool
     tangent_is_indefinite(const LA::Vector &u, const ContactState &state);
 
+    /// Change the criteria for the next solve().
     void
     set_stopping_criteria(const StoppingCriteria &wanted)
     {
@@ -120,6 +122,9 @@ namespace Signorini
     /// Solve the linear system, determine the step length, and update u and the tractions.
     void
     advance(LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage);
+    /// Solve the linear system for the increment, and record the iterations in the step. Increments
+    /// of constrained degrees of freedom are zero; those of multipliers become tractions.
+    /// Collective.
     void
     solve_linear(const LA::BlockVector &rhs, double reduction, double tolerance, NewtonStep &step);
     /// True if the tangent has negative curvature along a direction found by inverse iteration: the

@@ -52,6 +52,7 @@ namespace Signorini
     /// Body with the largest relative residual, if not converged.
     unsigned int worst_body = dealii::numbers::invalid_unsigned_int;
 
+    /// True if the iteration has ended, with or without success.
     bool
     is_finished() const
     {

@@ -135,6 +135,7 @@ namespace Signorini
 
 
 
+  // A pressure that is not finite on one rank is reported on all of them. Collective.
   template <int dim>
   void
   NonlinearSolid<dim>::check_pressures() const
@@ -149,6 +150,7 @@ namespace Signorini
 
 
 
+  // r = f - f_int(u), see forces().
   template <int dim>
   LA::Vector
   NonlinearSolid<dim>::residual(const LA::Vector &u) const

@@ -42,6 +42,7 @@ namespace Signorini
     bool
     request_rebuild();
 
+    /// The dimension of space, which is the number of unknowns of a node.
     unsigned int
     dim() const
     {
@@ -56,6 +57,7 @@ namespace Signorini
       return my_interface_includes_geometric;
     }
 
+    /// Choose whether interface solves include the contact geometric stiffness.
     void
     include_geometric_in_interface(const bool wanted)
     {

@@ -95,6 +95,7 @@ namespace Signorini
       return volumetric() ? volumetric()->coefficients() : LA::Vector();
     }
 
+    /// The constraints of the displacement: hanging nodes, supports, and prescribed motions.
     virtual const dealii::AffineConstraints<double> &
     constraints() const = 0;
 

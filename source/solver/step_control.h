@@ -7,13 +7,14 @@
 
 namespace Signorini
 {
-  /// True if solutions minimise an energy of the displacement: methods without multipliers whose
-  /// system is symmetric.
+  /// True if solutions minimise the energy (4.10) of the displacement: methods without multipliers
+  /// with a symmetric system.
   bool
   has_energy(const ContactSystem &system);
 
-  /// The step length a that minimises the energy of u + a du, or 1 if that is nearly as good. Costs
-  /// vectors on the contact surface only. Collective.
+  /// The step length a that minimises the energy of u + a du (doc/theory, 4.6), or 1 if the slope
+  /// there is at most a tenth of that at the start. Each evaluation costs vectors on the contact
+  /// surface only. Collective.
   /// @param r residual at u
   /// @param in gap, stress and pressure at u
   double
@@ -26,7 +27,8 @@ namespace Signorini
   /// The iterate at which a line search starts; refers to all.
   struct LineSearchStart
   {
-    const SolidResidual &bodies; ///< their volumetric stress is that which the step leads to
+    /// The solids; their volumetric stress is that after the full step.
+    const SolidResidual &bodies;
     const ContactSystem &system;
     const ContactLaw    &law;
     const LA::Vector    &u;
@@ -40,12 +42,13 @@ namespace Signorini
   /// + a dp and the penalty by which the active set is decided; bodies in displacement-pressure
   /// form have the volumetric stress that the step leads to; and where forces have no potential,
   /// their work along the step takes the place of the energy.
-  ///
-  /// Newton's method needs this for slender bodies: a linearised rotation also stretches, with far
-  /// more stiffness than bending has. A slope costs one residual, some percent of a step. Matthies,
-  /// Strang, Int. J. Numer. Meth. Eng. 14 (1979) 1613; Crisfield, ibid. 19 (1983) 1269. Throws
-  /// SolverFailure where cells are inverted. Collective.
-  /// @param step (u, q) or (u, q, m) as of the system
+  /// Newton's method needs this for slender bodies: a linearised rotation also stretches them, with
+  /// a stiffness far above that of bending (doc/theory, 4.7; Matthies, Strang, Int. J. Numer. Meth.
+  /// Eng. 14 (1979) 1613; Crisfield, ibid. 19 (1983) 1269). An evaluation of the slope costs one
+  /// residual, a few percent of a Newton step. Throws SolverFailure where cells are inverted.
+  /// Collective.
+  /// @param step increment (u, q) or (u, q, m), blocks as of the system
+  /// @param longest largest admissible step length
   double
   energy_descending_step(const LineSearchStart &start, const LA::BlockVector &step, double longest);
 } // namespace Signorini

@@ -131,7 +131,8 @@ namespace Signorini
                          const LA::BlockVector &step,
                          const double           longest)
   {
-    constexpr double       enough = 0.8; // of the slope at the start
+    // Share of the slope at the start that is accepted.
+    constexpr double       enough = 0.8;
     constexpr unsigned int most   = 8;
     const Resistance       slope(start, step);
     const double           first = -slope.at_start(), last = slope(longest);

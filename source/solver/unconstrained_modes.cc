@@ -306,9 +306,10 @@ namespace Signorini
     LA::Vector speed = contact->zero();
     if (!contact->empty())
       contact->B_free.vmult(speed, motion);
-    const LA::Vector gap    = contact->gap(u);
-    const double     crawls = 1e-8 * motion.linfty_norm(); // the rounding of normals
-    double           first  = std::numeric_limits<double>::infinity();
+    const LA::Vector gap = contact->gap(u);
+    // Smaller speeds are due to the rounding of normals.
+    const double crawls = 1e-8 * motion.linfty_norm();
+    double       first  = std::numeric_limits<double>::infinity();
     for (const auto i : gap.locally_owned_elements())
       if (speed(i) < -crawls && contact->coefficients.bilateral(i) == 0)
         first = std::min(first, std::max(0., gap(i)) / -speed(i));

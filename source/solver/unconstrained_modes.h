@@ -30,6 +30,7 @@ namespace Signorini
                        const LA::Vector              &stabilisation,
                        const GapOperator             &contact);
 
+    /// True if supports constrain all rigid-body modes, so that there is nothing to be done.
     bool
     empty() const
     {
@@ -88,6 +89,7 @@ namespace Signorini
       LA::Vector        stabilising_force; ///< S z
     };
 
+    /// Make the unconstrained modes orthonormal with respect to S among each other.
     void
     orthonormalise_unconstrained();
     /// The share of each point in the area of those points of its pair that have at least the given

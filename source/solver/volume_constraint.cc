@@ -27,6 +27,7 @@ namespace Signorini
 
 
 
+  // Null if no body is in displacement-pressure form.
   template <int dim>
   std::unique_ptr<VolumeConstraint<dim>>
   VolumeConstraint<dim>::create(Elasticity<dim> &elasticity)
@@ -97,6 +98,8 @@ namespace Signorini
 
 
 
+  // Until linearise(), residuals are those at the origin plus the derivative there times the
+  // difference (extrapolation of a load step).
   template <int dim>
   void
   VolumeConstraint<dim>::extrapolate_from(const LA::Vector &u)
@@ -116,6 +119,8 @@ namespace Signorini
                      at      = extends ? elasticity.with_ghosts(origin) : next;
     LA::Vector result        = elasticity.volumetric_stress().coefficients();
     result.scale(my_coupling.compliance);
+    // Cell by cell: changes of volume at the origin or at u, with their derivative if there is an
+    // origin.
     Vector<double>     values, others, changes;
     FullMatrix<double> slopes;
     for_cells([&](const Cell &cell) {
@@ -199,7 +204,7 @@ namespace Signorini
           const auto &indices = volumetric.indices(*cell);
           if (mesh.body(cell) == body)
             {
-              // The first function of a cell is constant.
+              // The function with the constant value 1; the first function of a cell is constant.
               constant(indices[0]) = 1 / volumetric.functions(*cell, cell->center())[0];
               rough(indices[0])    = indices[0] / (dim + 1) % 2 == 0 ? constant(indices[0]) : 0.;
             }
@@ -220,6 +225,8 @@ namespace Signorini
 
 
 
+  // Update the coefficients on all ranks by a Newton step. Collective. The version tells others
+  // that linearisations with the former values are outdated.
   template <int dim>
   void
   VolumeConstraint<dim>::add(const double factor, const LA::Vector &dm)
@@ -232,6 +239,7 @@ namespace Signorini
 
 
 
+  // r -= B_m^T m, the internal forces of the volumetric stress (doc/theory, (6.20)). Collective.
   template <int dim>
   void
   VolumeConstraint<dim>::subtract_forces(LA::Vector &r) const

@@ -61,6 +61,7 @@ namespace Signorini
     void
     for_cells(const std::function<bool(const Cell &cell)> &visit) const;
     void
+    /// Set the sparsity pattern of B_m and the diagonals, which do not depend on the displacement.
     make_pattern();
     /// Throws SceneError if an incompressible body is constrained on its whole surface, so that its
     /// pressure is determined only up to a constant.

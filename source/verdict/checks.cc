@@ -19,6 +19,8 @@ namespace Signorini
 
 
 
+  // The worst body is reported; values are relative to the scale instead of the largest force of
+  // this step.
   std::vector<CheckResult>
   check_balance(const nlohmann::ordered_json &results, const double scale, const double small)
   {
@@ -72,6 +74,7 @@ namespace Signorini
         {
           if (!pair["separates"].get<bool>())
             continue;
+          // Pairs without separation transfer tension, for which the inequality does not hold.
           double square = 0;
           for (const double component : pair["force"])
             square += component * component;
@@ -259,6 +262,7 @@ namespace Signorini
 
 
 
+  // Scales come first, then all checks in the order in which they are reported.
   template <int dim>
   std::vector<CheckResult>
   check_solution(const Decisions<dim>         &decisions,

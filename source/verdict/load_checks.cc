@@ -52,6 +52,8 @@ namespace Signorini
 
 
 
+  // Loads that depend on the time only are integrated exactly. The second rule has three points
+  // more in each direction.
   template <int dim>
   std::vector<CheckResult>
   check_loads(const Scene<dim> &scene, const Snapshot<dim> &now)
@@ -64,6 +66,7 @@ namespace Signorini
         if (!load.traction.depends_on_place() && !load.pressure.depends_on_place())
           continue;
         std::array<Sum<dim>, 2> sums; // as it was integrated, and with more points
+        // The usual rule is that of the load integration with p + 2 Gauss points in each direction.
         for (const std::string &boundary : load.boundaries)
           {
             const BoundaryFaces<dim> faces(now.elasticity, boundary);
@@ -83,6 +86,7 @@ namespace Signorini
         CheckResult check_result;
         check_result.check = "load quadrature error";
         check_result.where = "load " + load.name;
+        // The difference of the resultants relative to the integral of the norm of the traction.
         check_result.value =
           sums[1].size > 0 ? (sums[0].force - sums[1].force).norm() / sums[1].size : 0.;
         check_result.limit   = small;

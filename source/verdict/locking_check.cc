@@ -99,6 +99,8 @@ namespace Signorini
             {
               const Point<dim> &x      = values.quadrature_point(q);
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
+              // At finite strain the volume change is ln J, and the energy that of the law; at
+              // small strain they are tr(eps) and half of sigma:eps.
               if (material.constitutive_law)
                 {
                   auto F    = deformation_gradient(elasticity.model(), gradient[q], u[q], x);
@@ -115,6 +117,7 @@ namespace Signorini
               volume[q]      = {weight, trace(eps)};
               of_body.all += 0.5 * weight * (stress(material, eps) * eps);
             }
+          // The spurious part: lambda/2 times the squared deviation of the volume change.
           of_body.locked += 0.5 * material.lambda() *
                             rest(values.get_quadrature_points(), volume, cell->get_fe().degree > 1);
         }
@@ -128,6 +131,8 @@ namespace Signorini
 
 
 
+  // The body with the largest share is reported. In plane stress bodies can change their thickness
+  // and do not lock.
   template <int dim>
   std::vector<CheckResult>
   check_locking(const Scene<dim> &scene, const Snapshot<dim> &now)
@@ -139,6 +144,7 @@ namespace Signorini
     check_result.check  = "volumetric locking";
     check_result.limit  = 0.01;
     const auto energies = energies_of_bodies(now, least_ratio);
+    // The share of the spurious energy in all strain energy of each body.
     for (unsigned int body = 0; body < energies.size(); ++body)
       {
         const Energies &of_body = energies[body];

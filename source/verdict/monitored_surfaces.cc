@@ -8,6 +8,7 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Each pair is registered by all combinations of the boundary ids of slave and master.
   template <int dim>
   MonitoredSurfaces<dim>::MonitoredSurfaces(const Scene<dim> &scene, const Snapshot<dim> &now)
     : mesh(now.elasticity.mesh())
@@ -40,6 +41,8 @@ namespace Signorini
 
 
 
+  // Faces of slaves in self-contact have kinds beyond all boundary ids, so that they can be
+  // distinguished from the other faces of the same boundary.
   template <int dim>
   unsigned int
   MonitoredSurfaces<dim>::kind(const CellIterator<dim> &cell, const unsigned int face) const
@@ -59,6 +62,7 @@ namespace Signorini
 
 
 
+  // In self-contact only slave faces against other faces are checked by the pair.
   template <int dim>
   bool
   MonitoredSurfaces<dim>::is_monitored(const unsigned int a, const unsigned int b) const
@@ -87,6 +91,7 @@ namespace Signorini
 
 
 
+  // Surfaces that another pair monitors do not count.
   template <int dim>
   bool
   MonitoredSurfaces<dim>::is_inactive(const unsigned int a, const unsigned int b) const
@@ -118,6 +123,7 @@ namespace Signorini
 
 
 
+  // The order of the two boundaries does not matter: the smaller id is the first.
   template <int dim>
   std::pair<unsigned int, unsigned int>
   MonitoredSurfaces<dim>::boundaries(const unsigned int a, const unsigned int b) const

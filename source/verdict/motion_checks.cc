@@ -82,6 +82,8 @@ namespace Signorini
 
 
 
+  // At finite strain the displacement only is limited; rotations and sliding may make it larger
+  // than the model.
   template <int dim>
   std::vector<CheckResult>
   check_motions(const Snapshot<dim> &now, const std::vector<Extremes> &largest)
@@ -91,7 +93,7 @@ namespace Signorini
     CheckResult motion = worst(now, largest, &Extremes::motion, now.elasticity.mesh().size());
     motion.check       = "displacement / model size";
     motion.limit =
-      now.elasticity.is_finite_strain() ? 20 : 1; // turns and slides are no mistakes there
+      now.elasticity.is_finite_strain() ? 20 : 1; // large rotations and sliding are allowed
     motion.outcome = motion.value > motion.limit ? Outcome::failed : Outcome::passed;
     motion.message = "'" + motion.message + "' moves farther than the size of the model";
     motion.advice =

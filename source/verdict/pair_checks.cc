@@ -52,6 +52,7 @@ namespace Signorini
       for (const auto i : s.active.locally_owned_elements())
         if (*which++ == pair)
           {
+            // Sums and extreme values over the rows of the gap operator.
             extent.active += s.active(i) * s.contact.weight(i);
             extent.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
             extent.candidates += s.contact.weight(i);
@@ -66,6 +67,8 @@ namespace Signorini
             extent.pressure = std::max(extent.pressure, std::abs(s.pressure(i)));
             extent.epsilon  = std::max(extent.epsilon, s.contact.coefficients.epsilon(i));
           }
+      // Faces that carry pressure, and extreme values at the contact points, which may be deeper
+      // than the rows.
       const PointValues values = point_values(s, pair);
       struct Face
       {
@@ -91,6 +94,7 @@ namespace Signorini
             extent.touched_faces += face.area;
             extent.n_touched += 1;
           }
+      // Reduce over all ranks.
       const MPI_Comm comm = s.elasticity.mesh().communicator();
       for (double *sum : {&extent.active,
                           &extent.candidates,
@@ -171,6 +175,8 @@ namespace Signorini
       double             step  = face.diameter();
       for (unsigned int i = 0; i < most && step > least * face.diameter(); ++i)
         {
+          // The step along the face that reduces the gap most: the negative normal of the obstacle,
+          // projected onto the tangents by the inverse metric.
           const auto                  tangents = face.tangents(xi);
           SymmetricTensor<2, dim - 1> metric;
           Tensor<1, dim - 1>          along;
@@ -366,19 +372,22 @@ namespace Signorini
         extent.pressure >
         rounding * extent.modulus * s.displacement.linfty_norm() / s.elasticity.mesh().size();
       const GapOperator &contact = s.contact;
-      LA::Vector         active = s.active, inner = contact.zero(), innermost = contact.zero();
-      auto               which = contact.origin.pair.begin();
+      // Nodes of other pairs do not count; open nodes all of whose neighbours are active do.
+      LA::Vector active = s.active, inner = contact.zero(), innermost = contact.zero();
+      auto       which = contact.origin.pair.begin();
       for (const auto i : active.locally_owned_elements())
         if (*which++ != pair)
           active(i) = 0;
       active.compress(VectorOperation::insert);
-      inner = 1.; // ask everywhere
+      inner = 1.; // means are requested at all nodes
       const LA::Vector of_pressed =
         contact.origin.regions.means_of_neighbours(inner, active, innermost);
       for (const auto i : active.locally_owned_elements())
         if (of_pressed(i) > 1 - 1e-9)
           active(i) = 1;
       active.compress(VectorOperation::insert);
+      // The excess z of each node, and the product -z z_neighbours in the mean; nodes at the edge
+      // of the surface are excluded.
       LA::Vector more = contact.origin.regions.means_of_neighbours(active, s.pressure, inner);
       inner.scale(within_surface(contact));
       more.sadd(-1, 1, s.pressure);
@@ -387,6 +396,7 @@ namespace Signorini
       for (const auto i : more.locally_owned_elements())
         turns(i) *= -more(i);
       turns.compress(VectorOperation::insert);
+      // The same product at the neighbours, which must alternate as well.
       const LA::Vector around =
         contact.origin.regions.means_of_neighbours(innermost, turns, ignored);
       const double most             = scale * std::pow(little * extent.pressure, 2);
@@ -491,7 +501,7 @@ namespace Signorini
     CheckResult
     check_partial_contact(const std::string &name, const ContactExtent &extent)
     {
-      constexpr unsigned int few = 4; // then the number of faces tells
+      constexpr unsigned int few = 4; // for fewer faces see check_contact_resolution()
       CheckResult            check_result;
       check_result.check       = "contact area / area of contact faces";
       check_result.where       = "pair " + name;
@@ -510,6 +520,7 @@ namespace Signorini
 
 
 
+  // Inactive pairs, and pairs with negligible forces, are checked for missed contact only.
   template <int dim>
   std::vector<CheckResult>
   check_pairs(const Decisions<dim>         &decisions,
@@ -528,6 +539,8 @@ namespace Signorini
         const Obstacle<dim>       *obstacle = decisions.scene.obstacle_of(pair);
         const ContactExtent        extent   = contact_extent_of(now, i);
         ObstacleTip                tip{extent.deepest, surface.face_size};
+        // A rigid tip may be between the integration points of an inactive pair: search for the
+        // deepest point.
         if (obstacle && extent.active == 0 && !pair.gap_is_given())
           if (const ObstacleTip deepest = deepest_tip(*obstacle, now, pair.slave);
               deepest.depth > tip.depth)

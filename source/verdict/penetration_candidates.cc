@@ -147,6 +147,8 @@ namespace Signorini
               const std::function<bool(unsigned int)> &belongs)
     {
       std::map<std::pair<unsigned int, unsigned int>, Box<dim>> boxes;
+      // First round: faces whose box meets the box of a group of another body, with which no pair
+      // monitors contact, or that may be in an obstacle.
       for (unsigned int i = 0; i < faces.size(); ++i)
         if (belongs(i))
           boxes.insert({{mesh.body(faces[i].cell), faces[i].kind}, faces[i].box})
@@ -201,6 +203,8 @@ namespace Signorini
         });
         may_penetrate[i] = is_in_body[i] || may_be_in(faces[i], scene, configuration, watched);
       }
+    // Second round: faces of other bodies near the boxes of faces that may penetrate. These are the
+    // opposite surfaces of the exact search that follows.
     const auto asking =
       groups_of<dim>(mesh, faces, [&](const unsigned int i) { return is_in_body[i]; });
     for (unsigned int i = 0; i < faces.size(); ++i)

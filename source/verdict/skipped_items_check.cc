@@ -4,6 +4,7 @@
 
 namespace Signorini
 {
+  // One check lists all omissions that may influence the solution.
   template <int dim>
   std::vector<CheckResult>
   check_skipped_items(const Scene<dim> &scene, const bool acts)

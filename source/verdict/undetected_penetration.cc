@@ -29,14 +29,21 @@ namespace Signorini
     /// What a surface penetrates.
     enum class PenetrationType
     {
-      other,    ///< surface, of the same body or another
-      body,     ///< another one: farther inside of it than any surface is near
-      itself,   ///< where a pair looks for that
-      obstacle, ///< of the scene
-      symmetry  ///< of its own body, a plane of which the other side is the image of this one
+      /// Another surface, of the same body or another one.
+      other,
+      /// Another body, in which the surface is deeper than the distance to any of its surfaces that
+      /// would detect it.
+      body,
+      /// A surface in self-contact, whose points were assigned to the same side.
+      itself,
+      /// An obstacle of the scene.
+      obstacle,
+      /// A plane of symmetry of its own body, behind which is the mirror image.
+      symmetry
     };
 
-    constexpr double small = 0.02; ///< share of a cell that passes
+    /// Share of a cell up to which a penetration passes.
+    constexpr double small = 0.02;
 
     /// The deepest penetration; penetrations that make the solution invalid have priority over
     /// others.
@@ -93,6 +100,8 @@ namespace Signorini
                   const MPI_Comm                                   comm)
         : faces(of_body)
       {
+        // Sample points are the 2-point Gauss points of each face, so that points on common edges
+        // of two faces are avoided.
         const QGauss<dim - 1> inner(2);
         for (unsigned int i = 0; i < faces.faces.size(); ++i)
           {
@@ -216,6 +225,8 @@ namespace Signorini
           if (is_self)
             rest.push_back(a.rest[i]);
         }
+      // Closest points on b within half of the depth of the deepest cell; in self-contact without
+      // neighbours in the reference configuration.
       const auto master_points = find_master_projections(
         places, normals, b.masters(is_self), a.deepest / 2, comm, nullptr, {}, rest);
       Overlap largest;
@@ -227,7 +238,10 @@ namespace Signorini
           const unsigned int i = asked[k], kind = a.kinds[a.face_of[i]], other = master_point.kind;
           const double       depth = (master_point.position - a.places[i]) * master_point.normal,
                        room        = std::min(a.depth(i), master_point.size);
-          const bool is_inactive   = watched.is_inactive(kind, other);
+          // Depth along the normal of b. Beyond `room`, half of the smaller one of the two cells,
+          // the point may be closer to the opposite side of b. Where a pair exists but has been
+          // inactive, only deep penetrations count.
+          const bool is_inactive = watched.is_inactive(kind, other);
           if (depth > (is_inactive ? much_of_cell * 2 * room : 0) &&
               master_point.position.distance(a.places[i]) < room &&
               !watched.is_monitored(kind, other))
@@ -262,6 +276,7 @@ namespace Signorini
         }
       if (Utilities::MPI::sum(asked.size(), comm) == 0)
         return {};
+      // Signed depths now and in the reference configuration.
       const auto   ends    = b.box->get_boundary_points();
       const double far     = ends.first.distance(ends.second);
       const auto   now     = depths(places, b.masters(false), far, comm),
@@ -273,8 +288,10 @@ namespace Signorini
       for (unsigned int k = 0; k < asked.size(); ++k)
         {
           const unsigned int i = asked[k], kind = a.kinds[a.face_of[i]];
-          const double       cell     = 2 * a.depth(i);
-          const bool         at_start = is_inside(before[k], much_of_cell * cell);
+          const double       cell = 2 * a.depth(i);
+          // Points that were inside at the start count if they still are and no pair with that body
+          // exists; others, if they were outside and are now deeper than half of a cell.
+          const bool at_start = is_inside(before[k], much_of_cell * cell);
           if (at_start ?
                 is_inside(now[k], much_of_cell * cell) && !watched.has_pair(kind, body) :
                 is_inside(now[k], cell / 2) && !(before[k] > 0 && std::isfinite(before[k])))
@@ -323,6 +340,7 @@ namespace Signorini
       const MPI_Comm         comm   = mesh.communicator();
       if (common_depth(mesh.extent(a), mesh.extent(b)) == 0)
         return {};
+      // Sample faces of a in the bounding box of b, against the whole surface of b.
       BodySurface<dim> asking(sample_faces(configuration, a, mesh.extent(b), enough),
                               watched,
                               {},
@@ -373,7 +391,9 @@ namespace Signorini
             continue;
           const unsigned int kind  = a.kinds[a.face_of[i]];
           const double       share = -place->gap / (2 * a.depth(i));
-          const bool         idle  = is_inactive(kind),
+          // Shallow penetrations count if the normals are opposite; others if the point was outside
+          // in the reference configuration, or deep inside of something without a pair.
+          const bool idle = is_inactive(kind),
                      is_near =
                        (idle || share < 0.5) && faces_each_other<dim>(a.normals[i], place->normal);
           const bool at_start = !belongs && share >= much_of_cell && !was_outside(i);
@@ -396,6 +416,7 @@ namespace Signorini
       const Configuration<dim> at_rest(configuration.elasticity());
       const RigidPose<dim>     pose = configuration.pose(obstacle), rest = at_rest.pose(obstacle);
       const double             length = configuration.elasticity().rotation_length_scale();
+      // Points of monitored surfaces are left to their pair.
       const auto closest = [&](const unsigned int i) -> std::optional<ObstaclePoint<dim>> {
         if (watched.is_monitored(a.kinds[a.face_of[i]], obstacle.name) ||
             !obstacle.shape->has_closest_point(a.rest[i].x, length))
@@ -488,6 +509,8 @@ namespace Signorini
         const BodySurface<dim> &a = bodies[body];
         for (unsigned int other = 0; other < bodies.size(); ++other)
           {
+            // Each ordered pair of bodies: overlap from the start, overlap of surfaces, and, at
+            // finite strain, points deep inside.
             const BodySurface<dim> &b = bodies[other];
             if (body != other)
               largest.take(initial_depth(configuration, body, other, watched));
@@ -514,6 +537,7 @@ namespace Signorini
       }
     largest = largest_of(largest, mesh.communicator());
     CheckResult check_result;
+    // The report names the surface and what it penetrates.
     check_result.check      = "undetected contact";
     check_result.value      = largest.share;
     check_result.limit      = small;

@@ -51,6 +51,7 @@ namespace Signorini
 
 
 
+  // Each check of each place has one entry, of the load step that its aggregation selects.
   void
   Verdict::add(const std::vector<CheckResult> &of_step, const double time)
   {
@@ -68,6 +69,7 @@ namespace Signorini
 
 
 
+  // The outcome is that of the worst check.
   Outcome
   Verdict::outcome() const
   {
@@ -79,6 +81,7 @@ namespace Signorini
 
 
 
+  // Messages and advice are written only for checks that have not passed.
   nlohmann::ordered_json
   Verdict::json() const
   {
@@ -126,6 +129,7 @@ namespace Signorini
 
 
 
+  // Only checks that have not passed are printed, with their value, limit, and load step.
   void
   Verdict::print(std::ostream &out) const
   {

@@ -11,8 +11,10 @@ namespace Signorini
     /// Which cells are refined.
     enum class Strategy
     {
-      estimator, ///< where the error estimate is largest
-      global     ///< all
+      /// Cells where the error estimate is largest.
+      estimator,
+      /// All cells.
+      global
     };
 
     /// Number of refinements.

@@ -8,9 +8,12 @@ namespace Signorini
   {
     solved         = 0,
     internal_error = 1,
-    bad_scene      = 2, ///< or bad command line
-    not_converged  = 3,
-    missed         = 4, ///< solved, but an expected result of the scene is missed
-    interrupted    = 5  ///< by a signal or its limit on time; --restart goes on
+    /// The scene or the command line is not valid.
+    bad_scene     = 2,
+    not_converged = 3,
+    /// Solved, but an expected result of the scene is not met.
+    missed = 4,
+    /// Interrupted by a signal or the time limit; --restart continues the run.
+    interrupted = 5
   };
 } // namespace Signorini

@@ -6,13 +6,13 @@
 
 namespace Signorini
 {
-  /// Something that the user asked for and that cannot be done: a bad scene file, command line or
-  /// mesh file. The message names the key, its value, where it was set, and the cure. All ranks
-  /// throw it alike, because all ranks read the same input. What files have that nobody can read,
-  /// control characters and endless words, is not in it.
+  /// An input of the user that cannot be used: a scene file, command line or mesh file. The message
+  /// contains the key, its value, where it was set, and advice. Thrown by all ranks alike, because
+  /// all ranks read the same input.
   class SceneError : public std::runtime_error
   {
   public:
+    /// @param message which is freed of control characters, and shortened if it is very long
     explicit SceneError(const std::string &message);
   };
 } // namespace Signorini

@@ -7,34 +7,48 @@
 
 namespace Signorini
 {
-  /// The candidate that is spelt most like the given word, or an empty string if none is close.
+  /// @return the candidate whose spelling is closest to a word; empty if none is close.
+  /// @param word any word
+  /// @param candidates possible words
   std::string
   nearest(const std::string &word, const std::vector<std::string> &candidates);
 
-  /// "a, b, c"
+  /// @return words as a text, "a, b, c".
+  /// @param words any number
+  /// @param separator between them
   std::string
   join(const std::vector<std::string> &words, const std::string &separator = ", ");
 
-  /// Split at the separator and trim; an empty text has no parts.
+  /// @return the trimmed parts of a text; none if it is empty.
+  /// @param text any text
+  /// @param separator between the parts
   std::vector<std::string>
   split(const std::string &text, char separator);
 
+  /// @return a text without blanks, tabs and carriage returns at both ends.
+  /// @param text any text
   std::string
   trim(const std::string &text);
 
-  /// For messages: a long text by its beginning and its length.
+  /// @return a text for messages; long ones are replaced by their beginning and length.
+  /// @param text any text
   std::string
   shortened(const std::string &text);
 
-  /// For messages: a number with a few digits.
+  /// @return a number with a few digits, for messages.
+  /// @param value the number
+  /// @param digits significant ones
   std::string
   short_text(double value, int digits = 2);
 
-  /// False also for names that no file can have. Streams open directories, and fail when they read.
+  /// @return whether a name is that of a directory; false also for names that no file can have.
+  /// Streams open directories without error, and fail when they read.
+  /// @param name path
   bool
   is_directory(const std::string &name);
 
-  /// Three bytes at the start by which some editors say that a file is UTF-8.
+  /// Skip the byte order mark, three bytes by which some editors mark a file as UTF-8.
+  /// @param in a stream at its beginning
   void
   skip_byte_order_mark(std::istream &in);
 } // namespace Signorini

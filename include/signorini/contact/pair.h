@@ -81,6 +81,7 @@ namespace Signorini
     {
       return exchanged ? master : slave;
     }
+    /// The master as the input names it, before any exchange.
     const std::string &
     named_master() const
     {

@@ -7,13 +7,14 @@ namespace Signorini
 {
   namespace LA
   {
-    /// Who factorises sparse matrices.
+    /// Libraries for the factorisation of sparse matrices.
     enum class DirectLibrary
     {
       KLU,  ///< gathers the matrix on one rank
       MUMPS ///< distributed
     };
 
+    /// The name of a library, for messages and settings.
     std::string
     name_of(DirectLibrary library);
   } // namespace LA

@@ -20,8 +20,10 @@ namespace Signorini
   /// The strain measure that is the argument of a law.
   enum class StrainMeasure
   {
-    finite, ///< C = F^T F
-    small   ///< C = 1 + 2 eps with the linear strain eps
+    /// The right Cauchy-Green tensor C = F^T F.
+    finite,
+    /// C = 1 + 2 eps with the linear strain eps.
+    small
   };
 
   /// The arguments of a constitutive law at a quadrature point, (6.9) of doc/theory.

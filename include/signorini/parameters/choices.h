@@ -11,12 +11,14 @@
 
 namespace Signorini
 {
-  /// What a key of the scene file may be: words, each with the value that it stands for, mostly one
-  /// of an enum, in the order in which the help shows them.
+  /// The choices of a key: words with the values that they denote, mostly of an enum, in the order
+  /// of the help text.
   template <typename Value>
   using Choices = std::vector<std::pair<std::string, Value>>;
 
-  /// The word for a value.
+  /// @return the word of a value, which must be one of the choices.
+  /// @param choices of the key
+  /// @param value one of their values
   template <typename Value>
   const std::string &
   word_of(const Choices<Value> &choices, const Value &value)
@@ -28,7 +30,9 @@ namespace Signorini
     return found->first;
   }
 
-  /// The value of a word that is one of the choices.
+  /// @return the value of a word.
+  /// @param choices of the key
+  /// @param word one of their words
   template <typename Value>
   const Value &
   value_of(const Choices<Value> &choices, const std::string &word)
@@ -40,6 +44,8 @@ namespace Signorini
     return found->second;
   }
 
+  /// @return all words.
+  /// @param choices of the key
   template <typename Value>
   std::vector<std::string>
   words_of(const Choices<Value> &choices)
@@ -50,7 +56,9 @@ namespace Signorini
     return words;
   }
 
-  /// The same after the word `auto`, which stands for none of them: the program chooses.
+  /// @return the choices preceded by the word `auto`, which stands for none of them: the program
+  /// chooses.
+  /// @param choices of the key
   template <typename Value>
   Choices<std::optional<Value>>
   or_auto(const Choices<Value> &choices)

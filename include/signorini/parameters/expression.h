@@ -16,31 +16,36 @@ namespace Signorini
 {
   class CompiledFormula;
 
-  /// A scalar function of the coordinates x, y (z in 3D) and the time t. A formula that cannot be
-  /// read throws SceneError on construction.
+  /// A scalar function of the coordinates x, y (z in 3D) and the time t. Throws SceneError if the
+  /// formula is not valid.
   template <int dim>
   class Expression
   {
   public:
     static constexpr int dimension = dim;
 
+    /// @param formula the formula
     Expression(const Formula &formula = "0");
 
+    /// @return the value; NaN where the formula cannot be evaluated.
+    /// @param p coordinates
+    /// @param t time
     double
     value(const dealii::Point<dim> &p, double t = 0) const;
 
-    /// True if it is the number zero, everywhere and at all times.
+    /// @return whether the formula is the constant zero.
     bool
     is_zero() const;
 
-    /// True if it is not a function of the time alone.
+    /// @return whether the value depends on a coordinate.
     bool
     depends_on_place() const;
 
+    /// @return whether the value depends on the time.
     bool
     depends_on_time() const;
 
-    /// As the user wrote it.
+    /// @return the formula as the user has written it.
     const std::string &
     formula() const
     {
@@ -52,7 +57,7 @@ namespace Signorini
     std::shared_ptr<const CompiledFormula> compiled;
   };
 
-  /// One expression a component, separated by `;`. A component may be `free`: then it is not
+  /// A vector of expressions, separated by `;` in a text. A component may be `free`: then it is not
   /// prescribed.
   template <int dim, int n_components = dim>
   class VectorExpression
@@ -60,42 +65,49 @@ namespace Signorini
   public:
     static constexpr int dimension = dim;
 
-    /// The empty text leaves all components free.
+    /// Throws SceneError if a formula is not valid, or if their number is not n_components.
+    /// @param text the components; empty: all are free
     VectorExpression(const Formula &text = "");
 
+    /// @return whether a component is prescribed.
+    /// @param component its index
     bool
     prescribed(unsigned int component) const
     {
       return components[component].has_value();
     }
 
-    /// True if no component is prescribed.
+    /// @return whether no component is prescribed.
     bool
     empty() const;
 
-    /// True if the component is free, or the number zero at all times.
+    /// @return whether a component is free, or the constant zero.
+    /// @param component its index
     bool
     is_zero(unsigned int component) const;
 
-    /// True if any component is not a function of the time alone.
+    /// @return whether any component depends on a coordinate.
     bool
     depends_on_place() const;
 
-    /// True if any component is a function of the time.
+    /// @return whether any component depends on the time.
     bool
     depends_on_time() const;
 
-    /// False for the empty text.
+    /// @return whether there is a text.
     bool
     given() const
     {
       return is_given;
     }
 
-    /// The components at p; free ones are zero.
+    /// @return the components; free ones are zero.
+    /// @param p coordinates
+    /// @param t time
     dealii::Tensor<1, n_components>
     value(const dealii::Point<dim> &p, double t = 0) const;
 
+    /// @return the text from which the same expression is read.
     std::string
     text() const;
 
@@ -104,7 +116,10 @@ namespace Signorini
     bool                                                     is_given = false;
   };
 
-  /// Value of a formula in named constants, e.g. evaluate("2*a", {{"a", 3}}). Throws SceneError.
+  /// @return the value of a formula in named constants, e.g. evaluate("2*a", {{"a", 3}}). Throws
+  /// SceneError.
+  /// @param formula the formula
+  /// @param constants values by name
   double
   evaluate(const Formula &formula, const std::map<std::string, double> &constants);
 } // namespace Signorini

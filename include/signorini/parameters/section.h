@@ -17,15 +17,17 @@
 
 namespace Signorini
 {
-  /// A key of a scene, as documentation shows it.
+  /// The description of a key, for documentation.
   struct KeyDescription
   {
-    std::string              key, type, value, help, range;
+    std::string key, type, value, help, range;
+    /// Words that are possible; empty: any value of the type.
     std::vector<std::string> choices;
-    bool                     is_required = false;
+    /// Whether the key has no default.
+    bool is_required = false;
   };
 
-  /// A name that scenes may still use for one release, and the one that it has now.
+  /// A former name, which scenes may use for one release, and its present one.
   struct FormerName
   {
     enum class Kind
@@ -37,11 +39,12 @@ namespace Signorini
 
     Kind        kind;
     std::string former, now;
-    std::string key; ///< of a choice
+    /// For choices: the key.
+    std::string key;
   };
 
-  /// A section with all that may stand in it. Sections that the user names are there once, with the
-  /// name NAME.
+  /// The description of a section. Sections of items that the user names occur once, with the name
+  /// NAME.
   struct SectionDescription
   {
     std::string                    name, help;
@@ -50,15 +53,18 @@ namespace Signorini
     std::vector<FormerName>        former_names = {};
   };
 
-  /// Closed or half-open range of a number; the text of it goes into the error message.
+  /// A range of numbers, in which both ends may or may not be allowed.
   struct Range
   {
     double low            = -std::numeric_limits<double>::infinity();
     double high           = std::numeric_limits<double>::infinity();
     bool   low_is_allowed = true, high_is_allowed = true;
 
+    /// @return whether a number is in the range.
+    /// @param x the number
     bool
     contains(double x) const;
+    /// @return a text for messages, such as ">= 0 and < 1".
     std::string
     text() const;
   };
@@ -66,34 +72,50 @@ namespace Signorini
   const Range positive{0, std::numeric_limits<double>::infinity(), false, true};
   const Range non_negative{0, std::numeric_limits<double>::infinity(), true, true};
 
-  /// One section of the scene file, seen by the structs that live in it. Each struct has one
-  /// function `declare(Section &)` in which it binds its members: key, member (its value is the
-  /// default), one sentence of documentation with the unit. The same function serves to read a
-  /// scene, to write the resolved scene, to write the commented template, and for the reference of
-  /// all keys.
+  /// A section of a scene file, to which structs bind their members. Each struct has a function
+  /// `declare(Section &)` that calls add() for each key: name, member (whose value is the default),
+  /// and one sentence of documentation with the unit. The same function serves to read a scene, to
+  /// write it with all defaults, to write the commented template, and to describe all keys for the
+  /// reference.
   class Section
   {
   public:
-    /// Reading: values in `raw` overwrite the members; what is absent keeps its default.
+    /// Read: values in `raw` overwrite the members; members of keys that are not set keep their
+    /// defaults.
+    /// @param raw the section of the file, in which used values are marked
+    /// @param path of the section, for messages
     explicit Section(RawSection &raw, const std::string &path = "");
 
-    /// Writing: `comments` adds the documentation of each key.
-    /// @param given what was read: numbers are written as they stand there
+    /// Write.
+    /// @param out the stream
+    /// @param comments whether the documentation of each key is added
+    /// @param indentation depth of the section
+    /// @param given what was read: numbers are written as the formulas there; null: none
     Section(std::ostream     &out,
             bool              comments,
             unsigned int      indentation = 0,
             const RawSection *given       = nullptr);
 
-    /// Describing: all keys and sections go into that description.
+    /// Describe.
+    /// @param description receives all keys and sections
     explicit Section(SectionDescription &description)
       : description(&description)
     {}
 
+    /// Bind a key. Throws SceneError if its value is not of the type, or not in the range.
+    /// @param key its name
+    /// @param value the member
+    /// @param help one sentence, which ends with the unit in brackets
+    /// @param range of the value
     template <typename T>
     void
     add(const std::string &key, T &value, const std::string &help, const Range &range = {});
 
-    /// A key without a default: a scene that does not set it is refused.
+    /// Bind a key without default. Throws SceneError if it is not set.
+    /// @param key its name
+    /// @param value the member
+    /// @param help one sentence, which ends with the unit in brackets
+    /// @param range of the value
     template <typename T>
     void
     add_required(const std::string &key, T &value, const std::string &help, const Range &range = {})
@@ -105,8 +127,11 @@ namespace Signorini
         fail(key, "is required (" + help + ")");
     }
 
-    /// A key whose default a scene should not rely on: where it is not set, a note says what is
-    /// used.
+    /// Bind a key on whose default a scene should not rely: if it is not set, the user is told
+    /// which value is used.
+    /// @param key its name
+    /// @param value the member
+    /// @param help one sentence
     template <typename T>
     void
     add_noted(const std::string &key, T &value, const std::string &help)
@@ -116,47 +141,65 @@ namespace Signorini
         note_default(key, text_of(value));
     }
 
-    /// Reading: true if the scene says something about that key.
+    /// @return when reading, whether the scene sets a key.
+    /// @param key its name
     bool
     is_set(const std::string &key) const
     {
       return raw && raw->find_value(key);
     }
 
-    /// The key had another name in the last release. A scene that uses it is read as if it had the
-    /// new one, and a note says so; a scene that sets both is refused, but a command line overrides
-    /// a file. To be called before the key is added.
+    /// Declare the former name of a key, before the key is added. A scene that uses it is read as
+    /// if it had the present one, and the user is told so; a scene that sets both is rejected,
+    /// except that the command line overrides a file.
+    /// @param former name in the last release
+    /// @param key present name
     void
     rename_key(const std::string &former, const std::string &key);
 
-    /// Likewise a subsection.
+    /// Declare the former name of a subsection, as rename_key() does.
+    /// @param former name in the last release
+    /// @param name present name
     void
     rename_section(const std::string &former, const std::string &name);
 
-    /// Likewise a choice of a key.
+    /// Declare the former name of a choice, as rename_key() does.
+    /// @param key the key
+    /// @param former word in the last release
+    /// @param choice present word
     void
     rename_choice(const std::string &key, const std::string &former, const std::string &choice);
 
-    /// Reading: remarks for the user so far, of this section and of those in it; each is there
-    /// once.
+    /// @return when reading, the messages for the user so far, from this section and those in it,
+    /// each once.
     const std::vector<std::string> &
     notes() const
     {
       return *my_notes;
     }
 
-    /// Reading: add a remark. @param where file and line, which may differ for equal remarks
+    /// Add a message when reading.
+    /// @param where file and line, which may differ for equal messages
+    /// @param text the message
     void
     add_note(const std::string &where, const std::string &text);
 
-    /// A word out of a list.
+    /// Bind a key that has one of some words. Throws SceneError for others.
+    /// @param key its name
+    /// @param value the member
+    /// @param choices the words
+    /// @param help one sentence
     void
     add_choice(const std::string              &key,
                std::string                    &value,
                const std::vector<std::string> &choices,
                const std::string              &help);
 
-    /// A word out of a list, for the value that it stands for.
+    /// Bind a key that has one of some words, which denote values. Throws SceneError for others.
+    /// @param key its name
+    /// @param value the member
+    /// @param choices the words with their values
+    /// @param help one sentence
     template <typename Value, typename = std::enable_if_t<!std::is_same_v<Value, std::string>>>
     void
     add_choice(const std::string    &key,
@@ -169,7 +212,10 @@ namespace Signorini
       value = value_of(choices, word);
     }
 
-    /// A fixed subsection: body(section) declares what is in it.
+    /// Declare a subsection.
+    /// @param name of the subsection
+    /// @param help one sentence
+    /// @param body function that declares the keys of a Section
     template <typename Body>
     void
     add_section(const std::string &name, const std::string &help, Body body)
@@ -198,8 +244,11 @@ namespace Signorini
         }
     }
 
-    /// Items that the user names: first `Names = a, b`, then one subsection a name. T has a member
-    /// `std::string name` and a function declare(Section &).
+    /// Bind a section of items that the user names: the key Names, and one subsection for each
+    /// name. T has a member `std::string name` and a function declare(Section &).
+    /// @param name of the section
+    /// @param items the members
+    /// @param help one sentence
     template <typename T>
     void
     add_named(const std::string &name, std::vector<T> &items, const std::string &help)
@@ -227,36 +276,47 @@ namespace Signorini
       });
     }
 
-    /// A subsection whose keys the user invents: names that stand for formulas in what comes later.
+    /// Declare a subsection whose keys are defined by the user: names that stand for formulas in
+    /// later sections.
+    /// @param name of the subsection
+    /// @param value the definitions
+    /// @param help one sentence
     void
     add_definitions(const std::string &name, Definitions &value, const std::string &help);
 
-    /// True if that name stands for a formula.
+    /// @return whether a name stands for a formula.
+    /// @param name the name
     bool
     defines(const std::string &name) const;
 
+    /// @return whether the section is read.
     bool
     reading() const
     {
       return raw != nullptr;
     }
 
-    /// Where and how a key of this section was set, for messages about its value:
-    /// "scene.prm:12: Bodies/block/Mesh = ball". Works while reading.
+    /// @return when reading, where and how a key was set, for messages: "scene.prm:12:
+    /// Bodies/block/Mesh = ball".
+    /// @param key its name
     std::string
     source_of(const std::string &key) const;
 
-    /// Throws SceneError("PLACE: what").
+    /// Throws SceneError with the position of a key.
+    /// @param key its name
+    /// @param what the message
     [[noreturn]] void
     fail(const std::string &key, const std::string &what) const;
 
+    /// @return the path of the section, such as "Bodies/block".
     const std::string &
     path() const
     {
       return my_path;
     }
 
-    /// Reading: complain about keys and subsections that nobody asked for.
+    /// Throws SceneError for keys and subsections in the file that were not declared. At the end of
+    /// reading a section.
     void
     close();
 
@@ -298,7 +358,8 @@ namespace Signorini
     std::vector<std::string> known_keys, known_sections;
   };
 
-  /// A formula for a number is welcome wherever a number is: `set Poisson's ratio = 1/3`.
+  /// Read a value. Numbers may be given by formulas: `set Poisson's ratio = 1/3`. Throws
+  /// SceneError, without position, if the text is not of the type.
   void
   from_text(const Formula &text, double &value);
   void

@@ -10,55 +10,68 @@ namespace Signorini
 {
   class Section;
 
-  /// Nodes that a support or a load acts on, beside boundaries.
+  /// The nodes on which a support or a load acts, besides its boundaries.
   struct NodeChoice
   {
     std::vector<std::string> sets;  ///< "body.set"
     std::vector<double>      point; ///< coordinates; empty: none
-    std::string              body;  ///< that has the point; empty: the only one there
-    std::string              sets_location, point_location; ///< in the scene file
+    /// The body that has the point; empty: the only one that has it.
+    std::string body;
+    std::string sets_location, point_location; ///< in the scene file
 
+    /// True if no nodes are chosen.
     bool
     empty() const
     {
       return sets.empty() && point.empty();
     }
 
-    /// Keys `Nodes`, `Point`, `Point body`; throws SceneError if the point has not `dim`
-    /// coordinates.
+    /// Declare the keys `Nodes`, `Point` and `Point body`. Throws SceneError if the point does not
+    /// have `dim` coordinates.
+    /// @param what beginning of the descriptions
     void
     declare(Section &section, unsigned int dim, const std::string &what);
   };
 
-  /// What a support prescribes.
+  /// The kinds of supports.
   enum class SupportType
   {
-    displacement, ///< components
-    symmetry,     ///< no displacement along the normal of plane faces
-    roller        ///< the displacement along one direction: that given, or the normal
+    /// Prescribed components of the displacement.
+    displacement,
+    /// No displacement along the normal of plane faces.
+    symmetry,
+    /// Prescribed displacement along one direction, given or normal to the faces.
+    roller
   };
 
-  /// A prescribed displacement on boundaries of bodies, or on nodes: per component, or along one
-  /// direction; at all times, or in a span of time.
+  /// A prescribed displacement on boundaries of bodies or on nodes: by component, or along one
+  /// direction; always, or during a time span.
   template <int dim>
   struct Support
   {
     std::string              name;
     std::vector<std::string> boundaries; ///< "body.boundary"
     NodeChoice               nodes;
-    std::string              place; ///< of the boundaries in the scene file
-    SupportType              type = SupportType::displacement;
-    VectorExpression<dim>    displacement;
-    Expression<dim>          normal_displacement; ///< of a roller
-    dealii::Point<dim>       direction; ///< in which a roller holds; zero: along the normal
-    double                   from  = 0; ///< holds at later times; 0: also at the start
-    double                   until = 0; ///< and up to this one; 0: to the end
+    /// Location of the boundaries in the scene file, for messages.
+    std::string place;
+    SupportType type = SupportType::displacement;
+    /// Prescribed components [length]; others are free.
+    VectorExpression<dim> displacement;
+    /// Displacement of a roller along its direction [length].
+    Expression<dim> normal_displacement;
+    /// Direction that a roller constrains, of any length; zero: normal to the faces.
+    dealii::Point<dim> direction;
+    /// The support acts at later times; 0: also at the start.
+    double from = 0;
+    /// The support acts up to this time; 0: to the end.
+    double until = 0;
 
     /// True if the support acts at time t. A time that equals an end of its span up to rounding
     /// counts as that end.
     bool
     acts(double t) const;
 
+    /// Declare the keys of a support; invalid combinations are reported through the section.
     void
     declare(Section &section);
   };
@@ -72,8 +85,9 @@ namespace Signorini
   {
     std::string              name;
     std::vector<std::string> boundaries;
-    std::string              place, bodies_location; ///< of the names in the scene file
-    VectorExpression<dim>    traction;               ///< [force/area]
+    /// Locations of boundaries and bodies in the scene file, for messages.
+    std::string              place, bodies_location;
+    VectorExpression<dim>    traction;   ///< [force/area]
     Expression<dim>          pressure;   ///< [force/area], positive pushes into the body
     std::vector<std::string> bodies;     ///< "body", or "body.set" of cells
     VectorExpression<dim>    body_force; ///< [force/volume]
@@ -81,6 +95,7 @@ namespace Signorini
     VectorExpression<dim>    force;       ///< at each node, or at the point [force]
     VectorExpression<dim>    total_force; ///< on all boundaries or nodes of this load [force]
 
+    /// Declare the keys of a load; invalid combinations are reported through the section.
     void
     declare(Section &section);
   };

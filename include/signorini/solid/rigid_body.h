@@ -13,23 +13,31 @@ namespace Signorini
   class Section;
 
   /// The motion of a rigid body: a translation and a rotation about a reference point, each
-  /// component prescribed or free. Along free ones a given force or moment drives the body, and the
-  /// motion is an unknown. In the vectors of the scene a rigid body has two nodes, one for the
-  /// translation and one for the rotation; the rotation counts as the length by which it moves
-  /// what is one lever arm away.
+  /// component prescribed or free. Along free components a given force or moment acts, and the
+  /// motion is an unknown. In vectors a rigid body has two nodes, one for the translation and one
+  /// for the rotation; rotations are multiplied by a length scale, so that all unknowns are
+  /// lengths.
   template <int dim>
   struct RigidBody
   {
     static constexpr unsigned int n_rotations = RigidPose<dim>::n_rotations;
     static constexpr unsigned int n_dofs      = RigidPose<dim>::n_dofs;
 
-    std::string                        name;
-    VectorExpression<dim>              displacement; ///< not given: at rest
-    VectorExpression<dim, n_rotations> rotation;     ///< [radian], not given: none
-    VectorExpression<dim>              force;
-    VectorExpression<dim, n_rotations> moment; ///< about the reference point
-    dealii::Point<dim>                 reference;
+    /// Name of the obstacle.
+    std::string name;
+    /// Components of the translation as functions of time [length]; not given: at rest.
+    VectorExpression<dim> displacement;
+    /// Components of the rotation vector (2D: the angle) as functions of time [radian]; not given:
+    /// none.
+    VectorExpression<dim, n_rotations> rotation;
+    /// External force in free components [force].
+    VectorExpression<dim> force;
+    /// External moment about the reference point in free components [force length].
+    VectorExpression<dim, n_rotations> moment;
+    /// The reference point in the reference configuration [length].
+    dealii::Point<dim> reference;
 
+    /// Declare the keys; formulas that depend on the position are reported through the section.
     void
     declare(Section &section);
 
@@ -40,10 +48,12 @@ namespace Signorini
       return displacement.given() || rotation.given();
     }
 
+    /// True if degree of freedom i is an unknown: its component is given as `free`.
     bool
     is_free(unsigned int i) const;
 
-    /// The prescribed value of degree of freedom i at time t, a length.
+    /// The prescribed value of degree of freedom i at time t [length]; zero for components that are
+    /// not given.
     double
     prescribed(unsigned int i, double t, double rotation_length_scale) const;
 
@@ -52,7 +62,7 @@ namespace Signorini
     double
     load(unsigned int i, double t, double rotation_length_scale) const;
 
-    /// The longest lever arm of a point of the box about the reference point.
+    /// The largest distance of a point of the box from the reference point [length].
     double
     arm(const dealii::BoundingBox<dim> &box) const;
 

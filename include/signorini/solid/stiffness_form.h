@@ -5,14 +5,16 @@
 
 namespace Signorini
 {
-  /// How products with K are made.
+  /// The form in which products with K are evaluated.
   enum class StiffnessForm
   {
-    assembled,  ///< from a matrix
-    matrix_free ///< from the cells, each time
+    /// By an assembled matrix.
+    assembled,
+    /// Cell by cell in each product.
+    matrix_free
   };
 
-  // As the scene file calls them.
+  /// The forms by the names that the scene file uses.
 
   const Choices<StiffnessForm> &
   stiffness_forms();

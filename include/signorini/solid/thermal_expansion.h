@@ -23,12 +23,15 @@ namespace Signorini
     /// alpha [1/temperature]; empty: the body does not expand; one for all directions, or three
     /// along x, y, z (axisymmetric: z is the hoop).
     std::vector<double> coefficients;
-    Formula             temperature;   ///< T; empty: the field
-    double              reference = 0; ///< T_0, without strain
-    std::string         place;         ///< of the temperature in the scene file
+    /// Formula of the temperature T; empty: the field of the mesh.
+    Formula temperature;
+    /// Reference temperature T_0, at which there is no thermal strain.
+    double reference = 0;
+    /// Location of the temperature in the scene file, for messages.
+    std::string place;
 
-    /// @param mesh_has_field the mesh comes with temperatures of its own, which the formula may
-    /// call `field`
+    /// Declare the keys. @param mesh_has_field true if the mesh file has a temperature field, which
+    /// the formula may use as `field`
     void
     declare(Section &section, bool mesh_has_field);
 
@@ -39,13 +42,16 @@ namespace Signorini
       return !coefficients.empty();
     }
 
+    /// The coefficients along x, y and z [1/temperature]; zero if there are none.
     dealii::Tensor<1, 3>
     alpha() const;
 
-    /// T at a place and time. @param field the temperature there that came with the mesh
+    /// The temperature T at a point and time. @param field value of the mesh's temperature field
+    /// there
     double
     value(const dealii::Point<dim> &x, double t, double field) const;
 
+    /// True if the formula depends on t.
     bool
     depends_on_time() const;
 
@@ -53,6 +59,7 @@ namespace Signorini
     bool
     depends_on_place() const;
 
+    /// True if the temperature depends on the field of the mesh.
     bool
     depends_on_field() const;
 

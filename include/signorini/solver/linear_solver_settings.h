@@ -12,6 +12,7 @@ namespace Signorini
 {
   class Section;
 
+  /// Krylov methods for the contact system; FGMRES admits preconditioners that are not linear.
   enum class Krylov
   {
     CG,
@@ -34,29 +35,40 @@ namespace Signorini
     algebraic  ///< none
   };
 
-  // As the scene file calls them.
+  // Names of the choices in the scene file.
 
+  /// The Krylov methods by the names that the scene file uses.
   const Choices<Krylov> &
   krylov_methods();
 
+  /// The near null spaces by the names that the scene file uses.
   const Choices<NearNullSpace> &
   near_null_spaces();
 
+  /// The kinds of coarsening by the names that the scene file uses.
   const Choices<Coarsening> &
   coarsenings();
 
+  /// The settings of the linear solver, section Solver of a scene.
   struct LinearSolverSettings
   {
-    std::optional<StiffnessForm>     stiffness_form; ///< none: the quicker one
-    Coarsening                       coarsening     = Coarsening::geometric;
-    std::string                      preconditioner = "interface multigrid";
-    std::optional<Krylov>            krylov; ///< none: what suits system and preconditioner
-    std::string                      schur_complement = "interface";
-    double                           augmentation     = 0;
-    std::optional<LA::DirectLibrary> direct_solver; ///< none: the quicker one
-    NearNullSpace                    near_null_space    = NearNullSpace::rigid_body_modes;
-    unsigned int                     maximum_iterations = 1000;
+    /// Form of the stiffness; not set: the faster one.
+    std::optional<StiffnessForm> stiffness_form;
+    Coarsening                   coarsening     = Coarsening::geometric;
+    std::string                  preconditioner = "interface multigrid";
+    /// Krylov method; not set: the one that suits system and preconditioner.
+    std::optional<Krylov> krylov;
+    /// Approximation of the Schur complement, for block preconditioners.
+    std::string schur_complement = "interface";
+    /// Factor gamma of the augmentation k W of block preconditioners; 0: none.
+    double augmentation = 0;
+    /// Library for factorisations; not set: the faster one.
+    std::optional<LA::DirectLibrary> direct_solver;
+    NearNullSpace                    near_null_space = NearNullSpace::rigid_body_modes;
+    /// Maximal number of Krylov iterations in one solution.
+    unsigned int maximum_iterations = 1000;
 
+    /// Declare the keys.
     void
     declare(Section &section);
 

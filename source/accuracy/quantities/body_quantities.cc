@@ -145,6 +145,7 @@ namespace Signorini
 
 
 
+  // The components are degrees of freedom of the rigid body.
   template <int dim>
   Functional
   motion(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)

@@ -47,7 +47,9 @@ namespace Signorini
             {
               const Point<dim> &x      = values.quadrature_point(q);
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
-              const auto        sigma  = elasticity.stress(*cell, gradients[q], u[q], x);
+              // The energy by the compliance, since sigma contains thermal strain; the derivative
+              // is sigma:eps of each shape function.
+              const auto sigma = elasticity.stress(*cell, gradients[q], u[q], x);
               sum += weight / 2 * (sigma * compliance(material, sigma));
               for (unsigned int i = 0; i < indices.size(); ++i)
                 forces[i] += weight * (sigma * strain(elasticity.model(),

@@ -140,6 +140,7 @@ namespace Signorini
 
 
 
+  // The quotient rule: the force divided by the area, whose derivative is regularised.
   template <int dim>
   Functional
   mean_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
@@ -232,6 +233,8 @@ namespace Signorini
 
 
 
+  // With nodal sampling the derivative is that of the pressure of one node, otherwise of the mean
+  // around the point; the value is the one in the results.
   template <int dim>
   Functional
   largest_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)

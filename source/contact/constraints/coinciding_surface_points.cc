@@ -26,7 +26,9 @@ namespace Signorini
     bool
     overlap(const Place<dim> &a, const Place<dim> &b)
     {
-      constexpr double touching = 0.9; // neighbours of two surfaces that meet on the face
+      // Squares overlap if their centers are closer than this share of the larger half width in
+      // each direction; those of neighbours are farther apart.
+      constexpr double touching = 0.9;
       for (unsigned int d = 0; d < dim - 1; ++d)
         if (std::abs(a.xi[d] - b.xi[d]) >= touching * std::max(a.half_width, b.half_width))
           return false;

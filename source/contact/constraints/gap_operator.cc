@@ -454,6 +454,7 @@ namespace Signorini
 
 
 
+  // theta W E^-1 (s - p), the argument of S^T in the consistency term (doc/theory, 2.7).
   LA::Vector
   GapOperator::nitsche_residual(const LA::Vector &p, const LA::Vector &s) const
   {

@@ -119,7 +119,9 @@ namespace Signorini
     /// B for changes of free degrees of freedom: columns of prescribed ones are dropped, and those
     /// that inclined supports eliminate are added to the ones that determine them.
     LA::SparseMatrix B_free;
-    LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
+    /// S and its columns for free degrees of freedom, with the same sparsity pattern as B; empty
+    /// unless the method uses the normal stress.
+    LA::SparseMatrix S, S_free;
     LA::SparseMatrix S_thermal; ///< of s_0, by ThermalStrain::coefficients(); empty: none expands
     LA::Vector thermal_stress;  ///< S_thermal times the present temperature changes; empty: zero
     LA::Vector fixed_stress;    ///< the remaining part of s_0; empty: zero
@@ -226,13 +228,15 @@ namespace Signorini
       return 1 + tangential.B.size();
     }
 
-    /// The matrix of component a of the points, 0 being normal. All components have the same
-    /// columns.
+    /// The matrix of component a of the points, 0 being normal, for all degrees of freedom. All
+    /// components have the same columns.
     const LA::SparseMatrix &
     rows(const unsigned int a) const
     {
       return a == 0 ? B : tangential.B[a - 1];
     }
+    /// The same rows without the columns of prescribed displacements, with those of inclined
+    /// supports condensed.
     const LA::SparseMatrix &
     free_rows(const unsigned int a) const
     {
@@ -296,7 +300,7 @@ namespace Signorini
                     const ContactRows                      &rows,
                     const ContactMethod                    &method);
 
-  /// The same in the reference configuration. Collective.
+  /// The gap operator in the reference configuration, with rows made for its surfaces. Collective.
   template <int dim>
   std::unique_ptr<GapOperator>
   make_gap_operator(const Elasticity<dim>                  &elasticity,

@@ -59,6 +59,7 @@ namespace Signorini
 
 
 
+  // On the rank of the master face: tangents, metric and curvature at the projection.
   template <int dim>
   GapSecondVariation<dim>
   second_variation_of_master(const FacePatch<dim> &patch,
@@ -82,6 +83,7 @@ namespace Signorini
 
 
 
+  // On the rank of the slave point: the factors of (5.7) from metric, curvature and gap.
   template <int dim>
   GapSecondVariation<dim>
   second_variation_of_bodies(const Point<dim> &x, const MasterProjection<dim> &master_point)
@@ -123,6 +125,7 @@ namespace Signorini
 
 
 
+  // A segment edge that moves with the master face, see (5.8).
   template <int dim>
   GapSecondVariation<dim>
   second_variation_of_edge(const Tensor<1, dim> &n, const Tensor<1, dim> &v)
@@ -138,6 +141,9 @@ namespace Signorini
 
 
 
+  // A rigid obstacle (doc/theory, (5.14)): its curvature at the projection couples the
+  // displacements along the surface, and spins about the reference point, if it moves, couple with
+  // both.
   template <int dim>
   GapSecondVariation<dim>
   second_variation_of_obstacle(const ObstaclePoint<dim>     &obstacle_point,

@@ -28,8 +28,8 @@ namespace Signorini
   ///   - [w.A^-1 K H^-1 w' + m.H^-1 w' + w.H^-1 m' + g m.H^-1 m'],
   ///
   /// with w_a = y_a.(u^S - u^M), m_a = n.u^M_a, the metric A, the curvature K_ab = n.y_ab, and H =
-  /// A - g K. The factors need g, which only the slave's rank knows: this returns A and K in their
-  /// place.
+  /// A - g K. The factors contain g, which is known only on the rank of the slave point: this
+  /// function, called on the rank of the master face, returns A and K in their place.
   template <int dim>
   GapSecondVariation<dim>
   second_variation_of_master(const FacePatch<dim>         &patch,

@@ -32,6 +32,7 @@ namespace Signorini
     /// force/length by the units of the rows].
     std::vector<double> factors;
 
+    /// The number of rows R_i of the second variation.
     unsigned int
     n_rows() const
     {
@@ -54,7 +55,6 @@ namespace Signorini
   /// identified by degrees of freedom. Collective.
   /// @param traction tractions of the owned rows [force/length^(dim-1)], one vector for each
   /// component: pressure, then tangential ones if there are any
-  /// @param traction at the rows
   template <int dim>
   std::vector<LoadedPoint<dim>>
   loaded_points(const std::vector<ContactSurface<dim>> &surfaces,

@@ -92,6 +92,8 @@ namespace Signorini
 
 
 
+  // One pressure basis for each slave face with contact points (doc/theory, 3.4). Cost: a small
+  // dense problem for each face. Local.
   template <int dim>
   std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<dim>               &elasticity,

@@ -34,7 +34,8 @@ namespace Signorini
   /// area the master hardly covers have no multipliers, and their neighbours take over, see
   /// PressureBasis.
   /// @param paired_points the paired points of `points`, in the same order, sorted by faces
-  /// @param paired_edge_points those of `edge_points`, likewise
+  /// @param paired_edge_points the paired points of `edge_points`, in the same order, sorted by
+  /// faces
   /// @return one entry for each slave face; without nodes where all are prescribed, or where there
   /// are no points
   template <int dim>

@@ -32,6 +32,7 @@ namespace Signorini
       }
     };
 
+    /// Sort a list of numbers and keep each of them once.
     void
     sort_and_remove_duplicates(std::vector<unsigned int> &numbers)
     {

@@ -27,6 +27,7 @@ namespace Signorini
                    const ContactRows                      &rows,
                    Sampling                                sampling);
 
+    /// True if there are no contact points on any rank.
     bool
     empty() const
     {

@@ -16,7 +16,8 @@ namespace Signorini
 
   namespace
   {
-    constexpr double zero = 1e-14; // of a shape function
+    /// Smaller values of a shape function are rounding, and count as zero.
+    constexpr double zero = 1e-14;
 
     /// Replace the entries of hanging nodes by entries for the nodes that constrain them, phi_I ->
     /// sum_J C_IJ phi_J (doc/theory, 3.2), made by scaled(entry, J, C_IJ). Entries of one index may
@@ -131,6 +132,8 @@ namespace Signorini
 
 
 
+  // The one-dimensional polynomials of an element, and for each of its faces the nodes with their
+  // numbers along the parameters.
   template <int dim>
   typename Trace<dim>::Element
   Trace<dim>::element_of(const FiniteElement<dim> &fe)
@@ -207,6 +210,8 @@ namespace Signorini
 
 
 
+  // Hanging nodes are replaced by the nodes that constrain them, so that contact is continuous over
+  // faces of different size.
   template <int dim>
   FaceShapeFunctions<dim>
   Trace<dim>::functions(const Parameter &xi) const
@@ -218,6 +223,7 @@ namespace Signorini
 
 
 
+  // Values only; most points need no slopes. Functions that vanish at the point are omitted.
   template <int dim>
   SparseRow
   Trace<dim>::unresolved_shape(const Parameter &xi) const

@@ -46,13 +46,13 @@ namespace Signorini
                        std::vector<PairedPoint<dim>>  &paired,
                        std::vector<ContactPoint<dim>> &points)
   {
-    constexpr double error_of_mesh = 0.1; // in face sizes
+    constexpr double error_of_mesh = 0.1;
     const bool       is_given      = pair.gap_is_given();
     unsigned int     n             = 0;
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        // Points that do not touch up to a tenth of a face are dropped, unless a search distance or
-        // a given gap selects them.
+        // Points that do not touch up to a tenth of a face, the error of meshes of curved surfaces,
+        // are dropped, unless a search distance or a given gap selects them.
         const double most = error_of_mesh * slave.patches[points[i].face].diameter();
         if (!is_given && pair.search_distance == 0 && points[i].gap > most)
           continue;

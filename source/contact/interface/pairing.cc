@@ -15,7 +15,9 @@ namespace Signorini
 
   namespace
   {
-    constexpr double covered_once = 1 + 1e-4; // of its area; the rest is the error of quadrature
+    /// A face is covered once if the weights of its points sum up to at most this times its area,
+    /// which allows for the error of quadrature.
+    constexpr double covered_once = 1 + 1e-4;
 
     /// The points of a rule on whole slave faces, weighted with the Jacobian of the face, without a
     /// former master face.
@@ -93,11 +95,13 @@ namespace Signorini
                     SearchStatistics              &statistics,
                     std::vector<PairedPoint<dim>> &points)
     {
-      constexpr double                closer = 1 - 1e-6; // over an edge two faces are equally close
-      constexpr double                far    = 4; // faces; what may fold onto itself sees all of it
-      std::vector<PairedPoint<dim> *> beside_faces;
-      std::vector<Point<dim>>         positions;
-      std::vector<Tensor<1, dim>>     normals;
+      // Over an edge, two faces are equally close up to rounding.
+      constexpr double closer = 1 - 1e-6;
+      // In face diameters; on a self-contact surface all of it is within the range of the search.
+      constexpr double                 far = 4;
+      std::vector<PairedPoint<dim> *>  beside_faces;
+      std::vector<Point<dim>>          positions;
+      std::vector<Tensor<1, dim>>      normals;
       std::vector<ReferencePoint<dim>> rest;
       double                           farthest = 0;
       for (PairedPoint<dim> &point : points)
@@ -224,6 +228,7 @@ namespace Signorini
 
 
 
+  // Gauss-Lobatto points are the nodes of a face; other rules use Gauss points.
   template <int dim>
   Quadrature<dim - 1>
   face_rule(const Integration &integration)
@@ -235,6 +240,11 @@ namespace Signorini
 
 
 
+  // Pair the points of the slave faces with the master (doc/theory, 3.1, 3.3): by segments where
+  // these cover a face once, else by projection of quadrature points; then spurious penetrations
+  // and faces beyond the limit are removed. All searches are collective, so that each rank takes
+  // part in them even without faces. Cost: a few exchanges, and work proportional to the faces
+  // within the limit.
   template <int dim>
   Pairing<dim>
   pair_points(const SlaveSide<dim>   &slave,

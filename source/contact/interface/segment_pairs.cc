@@ -19,7 +19,9 @@ namespace Signorini
 
   namespace
   {
-    constexpr double beside = 1e-3; // a face, in units of its diameter
+    /// A point lies beside its master face if the tangential part of its distance is larger than
+    /// this, in diameters of the face.
+    constexpr double beside = 1e-3;
 
     /// Quadrature rule on a segment, with positive weights. Its degree is at least 2 n - 1 on
     /// triangles; for n = 2 the rule of degree 2 with three points suffices, since it integrates
@@ -30,9 +32,10 @@ namespace Signorini
     segment_rule(const unsigned int n)
     {
       if constexpr (dim == 3)
+        // The rule of degree 2 by Strang and Fix, with its points inside of the triangle.
         if (n == 2)
           return Quadrature<2>({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
-                               {1. / 6, 1. / 6, 1. / 6}); // Strang, Fix: degree 2
+                               {1. / 6, 1. / 6, 1. / 6});
       return QWitherdenVincentSimplex<dim - 1>(n);
     }
 
@@ -219,7 +222,8 @@ namespace Signorini
                       const SegmentEdgePoint<dim>   &point,
                       std::vector<PairedPoint<dim>> &edge_points)
       {
-        constexpr double steepest = 10; // way along the slave's normal over the distance
+        // The largest ratio of the distance along the slave's normal to the distance.
+        constexpr double steepest = 10;
         if (!master.inner_sides[face][point.side])
           return;
         // Reject far points by a lower bound of their distance before the projection, which is the

@@ -7,18 +7,20 @@ namespace Signorini
   /// area, the same on all ranks. It decides which surface should be slave.
   struct Sides
   {
-    double modulus = 1; ///< E of the slave / E of the master
-    double size    = 1; ///< of the slave's faces / of the master's
+    /// Ratio of Young's moduli, slave over master.
+    double modulus = 1;
+    /// Ratio of face sizes, slave over master.
+    double size = 1;
 
-    /// How much of the pressure the error of the master's mesh can become, up to a factor of some
-    /// percent.
+    /// The criterion R for oscillations of the pressure (doc/theory, (3.12)).
     ///
-    /// A pressure on the slave that changes from node to node moves the slave by h_S/E_S; the
-    /// master follows only what its own faces are fine enough for. What it does not follow, some
-    /// h_M^2 of its curved displacement p h_M/E_M over h_M^2, the slave alone makes up for, by a
-    /// pressure of E_S/h_S times that: relative to p it is E_S/E_M (h_M/h_S), and what is left of
-    /// the smooth part goes with (h_M/h_S)^2 more. Measured (doc/benchmarks/measurements.md): some
-    /// percents of waves of the pressure from 4 on, as much as the pressure from some hundreds on.
+    /// An alternating pressure p on the slave moves its nodes by h_S/E_S p. The master mesh cannot
+    /// represent the curved part of its displacement p h_M/E_M, and the slave compensates the rest
+    /// by a pressure of E_S/h_S times that: relative to p it is E_S/E_M (h_M/h_S), and two more
+    /// factors h_M/h_S come from the smooth part. Measured (doc/benchmarks/measurements.md): the
+    /// pressure oscillates by some percent from R = 4 on, and by its own size from some hundreds
+    /// on.
+    /// @return R, at least the ratio of the moduli
     double
     pressure_error() const;
 
@@ -29,8 +31,8 @@ namespace Signorini
       return {1 / modulus, 1 / size};
     }
 
-    /// True if exchanging slave and master is so clearly better that the program does it where it
-    /// is free to choose.
+    /// True if the exchange of slave and master is a clear improvement (doc/theory, 3.6); the
+    /// program then makes it where the settings allow it.
     bool
     should_be_exchanged() const;
   };

@@ -17,7 +17,7 @@ namespace Signorini
     unsigned int
     direction(const Tensor<1, dim> &normal)
     {
-      constexpr double small  = 0.38; // sin 22.5 degrees
+      constexpr double small  = 0.38;
       unsigned int     number = 0;
       for (unsigned int d = 0; d < dim; ++d)
         number = 3 * number + (normal[d] > small ? 2 : normal[d] < -small ? 0 : 1);
@@ -35,9 +35,9 @@ namespace Signorini
                              SearchStatistics                  &statistics,
                              std::vector<PairedPoint<dim>>     &points)
   {
-    // Points that are deeper than a hundredth of their face; the others are taken for true
-    // penetrations.
-    constexpr double         shallow = 0.01; // in diameters of the slave face: taken for true
+    // Points that are deeper than this, in diameters of the slave face, are examined; the others
+    // count as penetrations.
+    constexpr double         shallow = 0.01;
     std::vector<std::size_t> numbers;
     std::vector<Point<dim>>  positions;
     std::vector<double>      ways;
@@ -62,7 +62,7 @@ namespace Signorini
     const std::vector<double> depth = depths(positions, master, farthest, comm, &statistics);
     // The largest way out, by class of the normal, among the points whose projection is about the
     // shortest way out.
-    std::vector<double> way_out(Utilities::fixed_power<dim>(3u), 0.); // of each direction
+    std::vector<double> way_out(Utilities::fixed_power<dim>(3u), 0.);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       if (double &way = way_out[direction(points[numbers[i]].master_point.normal)];
           depth[i] >= ways[i] / 2)

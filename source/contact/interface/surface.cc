@@ -56,6 +56,7 @@ namespace Signorini
 
 
 
+  // All entries of the row of the gap, slave and master, unsorted and with repeated columns.
   template <int dim>
   SparseRow
   ContactPoint<dim>::row() const
@@ -87,6 +88,8 @@ namespace Signorini
 
 
 
+  // Search and pair the slave side; with the unbiased method the master side as well, whose points
+  // are appended. The two searches are independent of each other. Collective.
   template <int dim>
   ContactSurface<dim>
   make_contact_surface(const Configuration<dim>  &configuration,

@@ -82,6 +82,7 @@ namespace Signorini
 
     GapSecondVariation<dim> second_variation; ///< set in displaced configurations only
 
+    /// The gap in the configuration of the search [length]: the reference gap minus its decrease.
     double
     current_gap() const
     {
@@ -269,7 +270,8 @@ namespace Signorini
                        const SearchTolerance     &range,
                        const ContactSurface<dim> *former);
 
-  /// The same in the reference configuration, with the search tolerances of the pair. Collective.
+  /// The contact surface of a pair in the reference configuration, with the search tolerances that
+  /// its settings imply. Collective.
   template <int dim>
   ContactSurface<dim>
   make_contact_surface(const Elasticity<dim>  &elasticity,

@@ -38,6 +38,7 @@ namespace Signorini
               const std::vector<ContactPoint<dim>> &points,
               const std::vector<PressureNodes>     &functions);
 
+  /// True if any of the faces has a node without pressure, see SlaveFace::without_pressure.
   template <int dim>
   bool
   any_dirichlet_node(const std::vector<SlaveFace<dim>> &faces);

@@ -17,6 +17,7 @@ namespace Signorini
     void
     declare(Section &section, const std::string &help);
 
+    /// True if the penalty is given as an absolute value.
     bool
     is_absolute() const
     {

@@ -51,10 +51,15 @@ namespace Signorini
       bool             inside; ///< neither on an edge nor on a vertex
     };
 
+    /// Set the pseudonormals of vertices: sums of the normals of their triangles, weighted with the
+    /// angles there.
     void
     add_vertex_normals();
+    /// Set the pseudonormals of edges: sums of the normals of their triangles. Throws SceneError if
+    /// the orientation of the surface is not consistent.
     void
     add_edge_normals();
+    /// The closest point of a triangle.
     TrianglePoint
     foot(const dealii::Point<3> &x, unsigned int triangle) const;
 

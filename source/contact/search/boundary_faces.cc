@@ -19,6 +19,7 @@ namespace Signorini
 
 
 
+  // Faces whose boundary id belongs to the name.
   template <int dim>
   BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration,
                                     const std::string        &boundary)
@@ -91,6 +92,7 @@ namespace Signorini
 
 
 
+  // E/h, the stiffness scale of a face [force/length^3] (doc/theory, 3.5).
   template <int dim>
   double
   BoundaryFaces<dim>::stiffness(const Elasticity<dim> &elasticity, const unsigned int i) const

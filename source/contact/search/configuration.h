@@ -37,12 +37,14 @@ namespace Signorini
                   const LA::Vector      &u,
                   const LA::Vector      &of_frames);
 
+    /// True if surfaces are not displaced.
     bool
     is_reference() const
     {
       return at_rest;
     }
 
+    /// The bodies whose surfaces are displaced.
     const Elasticity<dim> &
     elasticity() const
     {
@@ -112,6 +114,8 @@ namespace Signorini
     /// The shape functions that are not zero at each node of the face's geometry.
     using ShapesAtNodes = std::vector<std::vector<Shape>>;
 
+    /// The shape functions of an element at the geometry nodes of a face; computed once for each
+    /// combination.
     const ShapesAtNodes &
     shapes_at_nodes(unsigned int element, unsigned int face, unsigned int degree) const;
 

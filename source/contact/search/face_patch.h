@@ -39,6 +39,7 @@ namespace Signorini
               const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
               unsigned int                                                     face);
 
+    /// The position x(xi) of a point of the face (doc/theory, (3.1)).
     dealii::Point<dim>
     position(const Parameter &xi) const;
 

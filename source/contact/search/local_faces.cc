@@ -14,10 +14,15 @@ namespace Signorini
 
   namespace
   {
-    constexpr double same          = 1e-9; // of a face's diameter: equal distances, equal centers
-    constexpr double rim_tolerance = 1e-6; // of a face's diameter: rounding of matching rims
-    constexpr double widest_wedge  = 0.3;  // tangential over normal distance
-    constexpr double same_face     = 100;  // staying distances between centers of one that moves
+    /// Distances and centers are equal if they differ by less, in diameters of a face.
+    constexpr double same = 1e-9;
+    /// Rounding of rims of faces that match, in diameters of a face.
+    constexpr double rim_tolerance = 1e-6;
+    /// A point overhangs a face only if its tangential over its normal distance is larger.
+    constexpr double widest_wedge = 0.3;
+    /// The distance between the centers of a former face and of the present one that counts as the
+    /// same face, in multiples of the distance of `staying`.
+    constexpr double same_face = 100;
 
     /// The difference of distances and of centers that is due to rounding [length].
     template <int dim>
@@ -123,8 +128,9 @@ namespace Signorini
     double squares = 0;
     for (const Tensor<1, dim> &tangent : face.tangents(middle))
       squares += tangent.norm_square();
-    const double area = face.jacobian(middle), // the product of the largest and the least stretch
-      stretch         = dim == 2 ? area : area / std::sqrt(squares);
+    // The least stretch: the area is the product of the largest and the least one.
+    const double area    = face.jacobian(middle),
+                 stretch = dim == 2 ? area : area / std::sqrt(squares);
     return {face.normal(middle), 2 * face.second_derivative_bound() / stretch};
   }
 
@@ -226,11 +232,13 @@ namespace Signorini
   std::optional<Candidate<dim>>
   LocalFaces<dim>::find(const Query<dim> &query)
   {
-    if (boxes.empty()) // of which boost would not ask for the nearest
+    // The search tree has no nearest entry if it is empty.
+    if (boxes.empty())
       return {};
     candidates.clear();
     double limit = query.limit;
-    double inner = -1; // all faces whose box is not farther than this have been looked at
+    // All faces whose boxes are not farther than this have been examined.
+    double inner = -1;
     double outer = first_radius(query.point);
     // Search in rings of doubled radius. Each projection found reduces the limit to its distance
     // plus the tolerance within which ties are broken.

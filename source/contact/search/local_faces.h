@@ -102,6 +102,7 @@ namespace Signorini
     std::vector<unsigned int>
     in(const dealii::BoundingBox<dim> &box) const;
 
+    /// The bounding box of the faces of this rank.
     const RankBox<dim> &
     extent() const
     {
@@ -117,9 +118,11 @@ namespace Signorini
       double                 spread;
     };
 
+    /// Bound the normals of a face, by which faces that cannot face a point are excluded.
     static Normals
     normals_of(const FacePatch<dim> &face);
 
+    /// Project the point on one face; empty if it is not an admissible partner.
     std::optional<Candidate<dim>>
     candidate(const Query<dim> &query, const unsigned int face);
 

@@ -81,6 +81,7 @@ namespace Signorini
     /// C, row by row; empty: the second variation vanishes or is not known.
     std::vector<double> factors;
 
+    /// The number of rows T_i.
     unsigned int
     n_rows() const
     {

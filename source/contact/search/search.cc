@@ -126,7 +126,8 @@ namespace Signorini
                           const std::vector<PreviousMasterFace<dim>> &former,
                           const std::vector<ReferencePoint<dim>>     &rest)
   {
-    constexpr double staying = 1e-3; // in sizes of the former face
+    // Another face replaces the former one only if it is closer by this share of the former's size.
+    constexpr double staying = 1e-3;
     AssertDimension(points.size(), slave_normals.size());
     Assert(former.empty() || former.size() == points.size(),
            ExcDimensionMismatch(former.size(), points.size()));

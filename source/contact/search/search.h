@@ -31,8 +31,8 @@ namespace Signorini
     double             size = 0; ///< diameter of the face; 0: there was no projection
   };
 
-  /// The master side of one contact pair on this rank: the faces of locally owned cells, and what
-  /// the geometric search does not know of them, their shape functions and stiffness.
+  /// The master side of one contact pair on this rank: the faces of its locally owned cells, and a
+  /// function for the data that the geometric search does not have, shape functions and stiffness.
   template <int dim>
   struct MasterFaces
   {

@@ -54,6 +54,8 @@ namespace Signorini
 
 
 
+  // The radius of a pair in the reference configuration: the user's, or at least a tenth of the
+  // model.
   template <int dim>
   double
   search_radius_of_pair(const Elasticity<dim>  &elasticity,
@@ -69,6 +71,8 @@ namespace Signorini
 
 
 
+  // True if a pair cannot come into contact within the distance, by cheap lower bounds of the gap:
+  // the search is then omitted. Collective.
   template <int dim>
   bool
   is_apart(const Elasticity<dim>    &elasticity,

@@ -115,7 +115,8 @@ namespace Signorini
         }
       const auto master_points = find_master_projections(
         centers, normals, all_faces_as_masters(faces), search_radius, comm, nullptr, {}, rest);
-      constexpr double    sharp = 0.05; // that perpendicular is as bad as any
+      // Bounds the logarithm where a normal is perpendicular to the direction.
+      constexpr double    sharp = 0.05;
       const auto          all   = directions<dim>();
       std::vector<double> scores(all.size(), 0.);
       Facing<dim>         result;

@@ -35,6 +35,7 @@ namespace Signorini
       : slaves(std::move(slaves))
     {}
 
+    /// True if the face is a slave, false if it is a master.
     bool
     is_slave(const unsigned int face) const
     {

@@ -144,6 +144,7 @@ namespace Signorini
     std::vector<std::string>
     flatten(MeshFile &file)
     {
+      // The bounding box of all plane cells tells in which coordinate plane they are.
       BoundingBox<3> box;
       bool           has_cells = false;
       for (const auto &element : file.elements)
@@ -166,6 +167,7 @@ namespace Signorini
       };
       if (!has_cells || is_flat(2) || (!is_flat(0) && !is_flat(1)))
         return {};
+      // Both rotations preserve the orientation in space: (x, z, -y) or (y, z, x).
       const bool across_y = is_flat(1);
       for (Point<3> &node : file.nodes)
         node =
@@ -206,6 +208,8 @@ namespace Signorini
 
 
 
+  // Names refer to the file and are checked when it is read; positions of keys are stored for
+  // messages.
   template <int dim>
   void
   FileMesh<dim>::declare(Section &section)
@@ -342,6 +346,7 @@ namespace Signorini
     std::string              key = "File";
     try
       {
+        // Step 1: the file. `key` is updated before each step that may throw.
         MeshFile all = read_mesh_file(path);
         if (dim == 2)
           append(flatten(all), notes);
@@ -376,6 +381,8 @@ namespace Signorini
                              join(part.boundaries));
         Triangulation<dim> triangulation;
         triangulation.create_triangulation(part.vertices, part.cells, part.faces);
+        // A face may have several names, so that a boundary of the scene consists of all ids whose
+        // names contain it.
         for (unsigned int i = 0; i < surfaces.size(); ++i)
           {
             const auto &names = part.boundaries;
@@ -389,6 +396,8 @@ namespace Signorini
           }
 
         key = "File";
+        // Surfaces are reconstructed from the facets only if there are neither mid-side nodes nor
+        // surfaces of the scene.
         const unsigned int n_curved =
           mid_side_nodes ? curve_cells(triangulation, all, part.elements, surfaces.size()) : 0;
         const SurfaceReconstruction rounding =

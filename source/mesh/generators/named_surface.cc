@@ -77,6 +77,7 @@ namespace Signorini
 
 
 
+  // The boundary id of a face is the index of its surface; manifold ids are larger by one.
   template <int dim>
   CoarseMesh<dim>
   with_boundaries(Triangulation<dim> &triangulation, const std::vector<NamedSurface<dim>> &surfaces)

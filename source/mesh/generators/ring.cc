@@ -71,7 +71,8 @@ namespace Signorini
     template <int dim>
     struct Grid
     {
-      unsigned int through, around, layers; ///< cells; in 2D, one layer
+      /// Numbers of cells; one layer in 2D.
+      unsigned int through, around, layers;
       bool         closed;
 
       /// @return the number of a vertex; in a closed ring the last one around is the first.
@@ -196,12 +197,15 @@ namespace Signorini
 
 
 
+  // Cells are created from the structured grid; the manifold of the whole mesh is cylindrical (2D:
+  // polar).
   template <int dim>
   CoarseMesh<dim>
   RingMesh<dim>::generate() const
   {
     const CirclePart sector = circle_part(part);
     const Grid<dim>  grid{cells_through, cells_around, dim == 3 ? layers : 1, part == "full"};
+    // Radii grow linearly through the thickness, angles around, heights along z.
     const auto point_at = [&](const unsigned int i, const unsigned int j, const unsigned int k) {
       const double r = inner_radius + (outer_radius - inner_radius) * i / cells_through;
       const auto   d = direction(sector, j, cells_around);

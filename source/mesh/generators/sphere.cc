@@ -57,6 +57,7 @@ namespace Signorini
 
 
 
+  // The sphere itself has a manifold; cuts are planes through the center.
   std::vector<NamedSurface<3>>
   SphereMesh::surfaces() const
   {
@@ -77,6 +78,7 @@ namespace Signorini
 
 
 
+  // Rotated copies of one octant of the unit ball, scaled and moved.
   CoarseMesh<3>
   SphereMesh::generate() const
   {

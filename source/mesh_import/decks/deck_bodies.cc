@@ -46,6 +46,7 @@ namespace Signorini
     n_pieces                        = pieces.size();
     for (const Piece &piece : pieces)
       {
+        // A unique name, and which nodes and elements of the file belong to the body.
         Body body;
         body.part = piece.name;
         body.name = as_name(piece.name);
@@ -85,7 +86,8 @@ namespace Signorini
   std::set<std::string>
   SceneWriter::boundaries_of(const Piece &piece) const
   {
-    const MeshFile               &mesh = model.deck.mesh;
+    const MeshFile &mesh = model.deck.mesh;
+    // Faces with one cell are the boundary of the piece.
     std::map<Nodes, unsigned int> n_cells;
     for (const unsigned int e : piece.elements)
       for (const Nodes &face : abaqus_faces(mesh.elements[e], ""))
@@ -150,6 +152,7 @@ namespace Signorini
         std::to_string(model.deck.mesh.elements[other->first].number) +
         " are connected and have different thicknesses; a plane body has one. Mesh "
         "it in three dimensions");
+    // The most frequent material is that of the body.
     std::map<std::string, unsigned int> n;
     for (const auto &element : of_elements)
       ++n[element.second];

@@ -245,6 +245,7 @@ namespace Signorini
             add_symmetry(words[0], upper_case(words[1]));
             continue;
           }
+        // Components 1 to 3 are displacements, 4 to 6 rotations, others are of other physics.
         const unsigned int first = component(words, 1),
                            last =
                              words.size() > 2 && !words[2].empty() ? component(words, 2) : first;
@@ -339,6 +340,7 @@ namespace Signorini
             pressures.push_back(value);
             model.pressed.push_back(name_of_loaded_faces(n_element_loads, pressures.size()));
           }
+        // Each face is loaded once, however often its element is named.
         std::set<DeckModel::Face> faces;
         for (const unsigned int e : elements_of(words[0]))
           for (DeckModel::Face face :

@@ -197,6 +197,7 @@ namespace Signorini
     add(result.points, 0, value, 1);
     for (unsigned int s = 1; s <= steps.size(); ++s)
       {
+        // Find the change of this step, if there is one.
         const Step  &step   = steps[s - 1];
         const double period = step.end - step.begin, before = value;
         bool         is_new = false;
@@ -206,6 +207,8 @@ namespace Signorini
               last   = &change;
               is_new = true;
             }
+        // An amplitude in step time holds in its own step only; one in total time in later steps
+        // too.
         const auto amplitude =
           last && last->kind == Kind::value ? amplitudes.find(last->amplitude) : amplitudes.end();
         if (amplitude != amplitudes.end() && (is_new || amplitude->second.is_total))
@@ -222,6 +225,7 @@ namespace Signorini
           }
         if (last && last->kind != Kind::removed)
           {
+            // The value is prescribed in this step: extend the last span, or begin a new one.
             if (result.spans.empty() || result.spans.back().second != step.begin)
               result.spans.emplace_back(step.begin, step.end);
             result.spans.back().second = step.end;

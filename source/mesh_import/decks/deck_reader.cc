@@ -177,6 +177,7 @@ namespace Signorini
 
 
 
+  // Report the present keyword with a reason.
   void
   DeckReader::skip_item(const std::string &why)
   {
@@ -186,6 +187,7 @@ namespace Signorini
 
 
 
+  // Report data lines where there should be none.
   void
   DeckReader::skip_stray_lines(const std::string &which)
   {
@@ -221,6 +223,7 @@ namespace Signorini
 
 
 
+  // Keywords up to the next *MATERIAL belong to this material.
   void
   DeckReader::begin_material()
   {
@@ -231,6 +234,7 @@ namespace Signorini
 
 
 
+  // The number in a word of a data line; 0 if it is missing or empty.
   double
   DeckReader::number(const Words &words, const unsigned int i) const
   {
@@ -251,6 +255,8 @@ namespace Signorini
       in.fail("*ELASTIC without data");
     if (is_again && one.youngs_modulus)
       in.fail("the material '" + one.name + "' is there twice");
+    // Isotropic: E, nu. Orthotropic and anisotropic: D1111, D1122, ... Others begin with E1, E2,
+    // E3, nu12.
     const double a = number(words, 0), b = number(words, 1), d = number(words, 3);
     if (type.empty() || type == "ISO" || type == "ISOTROPIC")
       {
@@ -284,8 +290,9 @@ namespace Signorini
     /// coefficients, which precede the D, and the number of the D.
     struct StrainEnergy
     {
-      std::string  name, law;
-      unsigned int n_coefficients, n_terms; ///< D has as many terms
+      std::string name, law;
+      /// Number of coefficients that precede the D, and number of the D.
+      unsigned int n_coefficients, n_terms;
     };
   } // namespace
 
@@ -316,6 +323,7 @@ namespace Signorini
                   "POLYNOMIAL with N=1 and OGDEN are there");
         return;
       }
+    // All coefficients, also from continuation lines.
     Values      values;
     std::size_t n_all = found->n_coefficients + found->n_terms;
     for (Words words; values.size() < n_all && in.next_line(words);)
@@ -332,6 +340,8 @@ namespace Signorini
       skip_item("its D2, D3, ...; changes of volume are as by D1");
     values.resize(found->n_coefficients);
 
+    // Convert to the coefficients of the program: Ogden's mu_i of CalculiX are 2 mu_i/alpha_i here;
+    // polynomials get their missing coefficients as zeros.
     DeckModel::Material &one = model.materials[material];
     one.law                  = found->law;
     one.coefficients         = values;
@@ -353,6 +363,7 @@ namespace Signorini
       }
     if (!(mu > 0))
       in.fail("*HYPERELASTIC: the shear modulus at rest is not positive");
+    // Young's modulus and Poisson's ratio from bulk and shear modulus.
     const double K     = D1 > 0 ? 2 / D1 : nearly_incompressible * mu;
     one.poissons_ratio = (3 * K - 2 * mu) / (2 * (3 * K + mu));
     one.youngs_modulus = 2 * mu * (1 + *one.poissons_ratio);
@@ -362,6 +373,7 @@ namespace Signorini
 
 
 
+  // The density of the present material; later lines, for other temperatures, are ignored.
   void
   DeckReader::read_density()
   {
@@ -372,6 +384,7 @@ namespace Signorini
 
 
 
+  // Isotropic thermal expansion of the present material.
   void
   DeckReader::read_expansion()
   {
@@ -515,6 +528,7 @@ namespace Signorini
 
 
 
+  // *SURFACE BEHAVIOR up to the next *SURFACE INTERACTION belongs to this interaction.
   void
   DeckReader::begin_interaction()
   {
@@ -581,6 +595,7 @@ namespace Signorini
 
 
 
+  // The gap of a pair at the start.
   void
   DeckReader::read_clearance()
   {

@@ -60,10 +60,13 @@ namespace Signorini
         for (unsigned int d = 0; d < 3; ++d)
           if (targets[t].components[d])
             {
+              // Members that an earlier target has in this component are excluded.
               Members open;
               for (const unsigned int member : targets[t].members)
                 if (done.insert({member, d}).second)
                   open.push_back(member);
+              // Where histories may overlap, a target whose members have equal histories stays
+              // whole.
               auto groups = by_history(curves, open, d, histories);
               if (may_overlap && !open.empty())
                 if (auto whole = by_history(curves, targets[t].members, d, histories);

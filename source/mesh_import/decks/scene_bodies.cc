@@ -37,6 +37,7 @@ namespace Signorini
 
 
 
+  // Each body has its mesh, materials, sets, and temperature.
   std::string
   SceneWriter::bodies() const
   {
@@ -91,6 +92,7 @@ namespace Signorini
 
 
 
+  // A surface of a deck may be on several bodies: each combination of them is a pair.
   std::string
   SceneWriter::pairs()
   {
@@ -100,7 +102,8 @@ namespace Signorini
       {
         const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),
                           masters = surfaces(pair.master, "the master of a contact pair");
-        const auto found          = model.interactions.find(pair.interaction);
+        // A pair whose interaction is missing has hard contact, the default.
+        const auto found = model.interactions.find(pair.interaction);
         if (!pair.interaction.empty() && found == model.interactions.end())
           model.skip_item("*SURFACE INTERACTION " + pair.interaction +
                             ", which is not there; contact of " + pair.slave + " on " +
@@ -117,6 +120,7 @@ namespace Signorini
                  {{"Slave", slave}, {"Master", master}}});
               if (stays)
                 items.back().keys.emplace_back("Separation", "none");
+              // A clearance of the deck replaces the gap that follows from the coordinates.
               const auto clearance =
                 std::find_if(model.clearances.begin(),
                              model.clearances.end(),

@@ -101,6 +101,7 @@ namespace Signorini
 
 
 
+  // All loads are in one section, with unique names.
   std::string
   SceneWriter::loads()
   {
@@ -117,6 +118,8 @@ namespace Signorini
 
 
 
+  // Forces of plane decks are divided by the thickness, since forces of the scene are per
+  // thickness.
   std::vector<SceneItem>
   SceneWriter::forces()
   {
@@ -190,6 +193,8 @@ namespace Signorini
             groups[histories.number(model.pressures.at(face))].push_back(face);
         for (const auto &[number, members] : groups)
           {
+            // The surface of the deck is used if this group has all of its loaded faces; otherwise
+            // a new set of faces is written.
             const bool        is_whole = members.size() == n_faces;
             const std::string where =
               is_whole ? surfaces(surface, "a pressure") :
@@ -205,6 +210,7 @@ namespace Signorini
 
 
 
+  // Elements are grouped by the histories of the three components.
   std::vector<SceneItem>
   SceneWriter::body_forces()
   {
@@ -257,6 +263,7 @@ namespace Signorini
           by_density[density_of[e]].push_back(e);
         for (const auto &[density, elements] : by_density)
           {
+            // Gravity is a body force density times acceleration; without a density there is none.
             if (density == 0)
               {
                 model.skip_item("gravity on " + load.name + ", whose material has no *DENSITY",

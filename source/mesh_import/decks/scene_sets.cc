@@ -118,6 +118,7 @@ namespace Signorini
       group.is_target ? target : set_names.make_unique_name(as_name(target) + " part");
     for (Body &body : all)
       {
+        // The members of the group on this body.
         std::set<unsigned int> here;
         for (const unsigned int node : group.members)
           if (body.has_node[node])
@@ -130,6 +131,7 @@ namespace Signorini
         result.push_back(body.name + "." + name);
         if (group.is_target)
           continue;
+        // The set as ranges of node numbers, instance by instance.
         std::vector<std::string> ranges;
         for (const auto &[instance, numbers] : model.deck.mesh.numbers)
           {
@@ -212,6 +214,7 @@ namespace Signorini
     std::vector<std::string>        result;
     for (Body &body : all)
       {
+        // The faces as ranges of element numbers, label by label.
         std::map<std::string, std::vector<std::size_t>> by_label;
         for (unsigned int e = 0; e < mesh.elements.size(); ++e)
           if (body.has_element[e])

@@ -43,6 +43,7 @@ namespace Signorini
 
 
 
+  // Three-dimensional if there are any solids; otherwise plane elements determine the model.
   SceneWriter::SceneWriter(DeckModel given, const std::string &file)
     : model(std::move(given))
     , file(file)
@@ -153,6 +154,7 @@ namespace Signorini
 
 
 
+  // Decks may contain rigid-body modes that CalculiX tolerates: they are stabilised.
   std::string
   SceneWriter::unconstrained_modes() const
   {

@@ -122,6 +122,7 @@ namespace Signorini
 
 
 
+  // Corners as barycentric coordinates, one simplex after the other; nodes as sets of corners.
   CellShape::CellShape(const Shape shape)
     : dim(dimension_of(shape))
     , n_corners(Signorini::n_corners(shape))
@@ -292,6 +293,7 @@ namespace Signorini
     SecondOrder &result        = entry->second;
     if (!is_new)
       return result;
+    // Positions of the nodes of each child are interpolated from the nodes of the cell.
     const CellShape &small = of(dim == 2 ? Shape::quadrilateral : Shape::hexahedron);
     for (const std::vector<Corners> &child : children)
       {
@@ -304,6 +306,7 @@ namespace Signorini
       }
     for (unsigned int i = n_corners; i < n_nodes; ++i)
       {
+        // The offset of a node from the position that the nodes before it define.
         Weights bend = weights(i, center_of(corners, nodes[i]));
         for (double &weight : bend)
           weight = -weight;

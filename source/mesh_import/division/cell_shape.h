@@ -8,20 +8,21 @@
 
 namespace Signorini
 {
-  /// What a cell of a mesh file consists of, and how it is divided: one child a corner, between the
-  /// corner, the middles of its edges, the centers of its faces and that of the cell (midpoint
-  /// subdivision). That is a hexahedron where three edges meet at a corner, a quadrilateral in 2D.
+  /// The edges, faces and nodes of a shape of cells of mesh files, and its midpoint subdivision:
+  /// one child at each corner, between the corner, the middles of its edges, the centres of its
+  /// faces and that of the cell. A child is a hexahedron if three edges meet at its corner, and a
+  /// quadrilateral in 2D.
   ///
   /// Triangle, tetrahedron, quadrilateral, hexahedron and wedge are products of simplices (a line
   /// is one too). So are their functions of second order: the product over the simplices of either
   /// a barycentric coordinate L_i or 4 L_i L_j. The map from the reference cell to a child in it is
-  /// trilinear in all L, so that the child of a quadratic cell is a triquadratic cell of 27 nodes,
-  /// exactly.
+  /// trilinear in all L, so that the child of a quadratic cell is exactly a triquadratic cell of 27
+  /// nodes.
   class CellShape
   {
   public:
-    /// A set of corners of the cell, bit by bit. It stands for the corner, edge, face or cell that
-    /// they span, and for the node at its center.
+    /// A set of corners of the cell, bit by bit. It represents the corner, edge, face or cell that
+    /// they span, and the node at its centre.
     using Corners = unsigned int;
 
     /// @return the shape, which is created at the first call and kept (not thread-safe). Pyramids
@@ -33,10 +34,11 @@ namespace Signorini
     unsigned int dim;
     /// The edges, and the faces around (of plane cells the edges).
     std::vector<MeshFile::Nodes> edges, faces;
-    /// What each node of the cell is the center of, up to that of the whole cell, in the order of
-    /// MeshFile::Element; cells may have fewer nodes.
+    /// For each node of the cell, up to that at the centre of the cell, the set of corners of which
+    /// it is the centre, in the order of MeshFile::Element; cells may have fewer nodes.
     std::vector<Corners> nodes;
-    /// What the corners of the child at each corner are the centers of, in the order of MeshFile.
+    /// For the child at each corner the sets of which its corners are the centres, in the order of
+    /// MeshFile.
     std::vector<std::vector<Corners>> children;
 
     /// @return the set of all corners, which is the cell itself.
@@ -68,12 +70,12 @@ namespace Signorini
     /// Weights of cells with a certain number of nodes.
     struct SecondOrder
     {
-      /// For each child and each of its 27 (2D: 9) nodes.
+      /// For each child and each of its 27 (2D: 9) nodes the weights of the nodes of the cell.
       std::vector<std::vector<Weights>> children;
-      /// For each node behind the corners how far it is from where the nodes before it would put
-      /// it: all zero in a cell with straight edges, evenly divided.
+      /// For each node behind the corners the weights of its offset from the position that the
+      /// nodes before it define: the offset is zero in a cell with straight, evenly divided edges.
       std::vector<Weights> bends;
-      /// In the value at the center.
+      /// The weights of the position of the centre.
       Weights center;
     };
 
@@ -86,7 +88,8 @@ namespace Signorini
   private:
     explicit CellShape(MeshFile::Shape shape);
 
-    using Coordinates = std::vector<double>; ///< the L of all simplices
+    /// The barycentric coordinates L of all simplices, one simplex after the other.
+    using Coordinates = std::vector<double>;
 
     void
     add_children();
@@ -97,7 +100,8 @@ namespace Signorini
     Weights
     weights(unsigned int n_nodes, const Coordinates &point) const;
 
-    std::vector<unsigned int>                   simplices; ///< number of corners of each
+    /// Number of corners of each simplex.
+    std::vector<unsigned int>                   simplices;
     std::vector<Coordinates>                    corners;
     mutable std::map<unsigned int, SecondOrder> by_n_nodes;
   };

@@ -39,6 +39,7 @@ namespace Signorini
 
 
 
+  // A node at the centre of the cell belongs to no edge or face, and is stored without a key.
   void
   Centers::take(const MeshFile::Element &cell)
   {
@@ -176,6 +177,7 @@ namespace Signorini
 
 
 
+  // Corners come before the nodes between them, so that one pass suffices.
   void
   Centers::complete_fields()
   {

@@ -163,7 +163,8 @@ namespace Signorini
       const MeshFile::Element     &element;
       const CellShape             &shape;
       const std::set<unsigned int> distinct;
-      std::vector<Nodes>           squares, triangles; ///< faces that are left, around
+      /// The faces that have four or three different corners, in cyclic order.
+      std::vector<Nodes> squares, triangles;
     };
   } // namespace
 

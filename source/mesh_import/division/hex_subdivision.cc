@@ -65,6 +65,7 @@ namespace Signorini
       void
       check_conforming()
       {
+        // Count cells by their corners and faces by theirs.
         std::map<MeshFile::Nodes, unsigned int>                       cells_of;
         std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_faces;
         const auto name = [&](const unsigned int e) {
@@ -86,6 +87,7 @@ namespace Signorini
           if (chosen.all[e])
             for (const Nodes &face : CellShape::of(file.elements[e].shape).faces)
               {
+                // A quadrilateral without neighbour must not contain a triangle of another cell.
                 const Nodes around = nodes_at(file.elements[e], face);
                 if (around.size() != 4 || n_faces[Centers::key(around)] != 1)
                   continue;
@@ -169,6 +171,8 @@ namespace Signorini
           {Shape::hexahedron, "hexahedron"}};
         std::vector<std::string> counts;
         unsigned int             n_cut = 0, n_pyramids = 0, n_children = 0;
+        // Elements of each shape; those other than pyramids that become tetrahedra are counted
+        // separately.
         for (const auto &[shape, name] : names)
           {
             unsigned int n = 0;
@@ -183,6 +187,7 @@ namespace Signorini
             if (n > 0)
               counts.push_back(counted(n, name));
           }
+        // Each cell has as many children as corners.
         for (const MeshFile::Element &cell : cells)
           n_children += n_corners(cell.shape);
         std::string text = join(counts) + " divided into " + std::to_string(n_children) +
@@ -370,11 +375,15 @@ namespace Signorini
       Centers            centers;
       ShapeReport        report;
 
-      std::vector<MeshFile::Element> cells;      ///< what is divided
-      std::vector<unsigned int>      first_cell; ///< of each element
+      /// The cells that are divided.
+      std::vector<MeshFile::Element> cells;
+      /// Index of the first cell of each element, and the end.
+      std::vector<unsigned int> first_cell;
 
-      std::unordered_map<Centers::Key, Nodes, Centers::Hash> whole; ///< quadrilaterals of triangles
-      std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_cells; ///< of each face
+      /// Quadrilaterals of the file by each of the two triangles into which they were cut.
+      std::unordered_map<Centers::Key, Nodes, Centers::Hash> whole;
+      /// Number of cells at each face.
+      std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_cells;
     };
   } // namespace
 

@@ -69,7 +69,8 @@ namespace Signorini
                          const double       distance)
   {
     const std::vector<unsigned int> cells = cells_of_part(file, dim, part);
-    MeshFile::Nodes                 nodes;
+    // Only nodes of the cells of the part are merged.
+    MeshFile::Nodes nodes;
     for (const unsigned int c : cells)
       nodes.insert(nodes.end(), file.elements[c].nodes.begin(), file.elements[c].nodes.end());
     std::sort(nodes.begin(), nodes.end());

@@ -47,6 +47,7 @@ namespace Signorini
 
 
 
+  // The extreme scaled Jacobians over all children of an element.
   void
   ShapeReport::add(const MeshFile::Element &element, const MeshFile::Element &child)
   {
@@ -130,6 +131,8 @@ namespace Signorini
 
 
 
+  // Errors first, then a warning if there are poor elements, otherwise the worst one for
+  // information.
   std::vector<std::string>
   ShapeReport::notes()
   {

@@ -54,10 +54,13 @@ namespace Signorini
   private:
     struct WorstCell
     {
-      std::size_t      number; ///< of the element
-      std::string      type;
-      double           quality; ///< smallest scaled Jacobian
-      dealii::Point<3> place;   ///< the corner
+      /// Number of the element.
+      std::size_t number;
+      std::string type;
+      /// Smallest scaled Jacobian.
+      double quality;
+      /// Position of the corner where it is smallest.
+      dealii::Point<3> place;
     };
 
     /// Add the present element to the statistics.
@@ -71,11 +74,13 @@ namespace Signorini
     const unsigned int dim;
 
     const MeshFile::Element *present = nullptr;
-    double                   least = 0, largest = 0; ///< of the present element
-    dealii::Point<3>         position_of_least, position_of_largest;
-    bool                     bends = false;
+    /// Extreme scaled Jacobians of the present element.
+    double           least = 0, largest = 0;
+    dealii::Point<3> position_of_least, position_of_largest;
+    bool             bends = false;
 
-    std::vector<WorstCell> worst; ///< the worst first
+    /// The worst elements so far, the worst first.
+    std::vector<WorstCell> worst;
     unsigned int           n_poor = 0, n_folded = 0;
     std::string            first_folded;
   };

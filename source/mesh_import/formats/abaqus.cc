@@ -313,9 +313,11 @@ namespace Signorini
         has_found = false;
         for (LateMembers &late : scope->late_members)
           {
-            AbaqusSets &sets    = late.are_nodes ? scope->nodes : scope->elements;
-            AbaqusSet  &set     = sets.get(late.set);
-            const auto  is_open = [&](const std::string &word) {
+            AbaqusSets &sets = late.are_nodes ? scope->nodes : scope->elements;
+            AbaqusSet  &set  = sets.get(late.set);
+            // Whether a set of that name still waits for members itself. A set may name itself
+            // without waiting.
+            const auto is_open = [&](const std::string &word) {
               return std::any_of(scope->late_members.begin(),
                                  scope->late_members.end(),
                                  [&](const LateMembers &other) {
@@ -335,6 +337,8 @@ namespace Signorini
             late.words = unknown;
           }
       }
+    // What is left names nothing. Numbers without a node or an element are noted only; names that
+    // do not exist are also listed as missing.
     for (const LateMembers &late : scope->late_members)
       for (const std::string &word : late.words)
         {

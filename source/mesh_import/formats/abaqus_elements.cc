@@ -82,6 +82,7 @@ namespace Signorini
 
 
 
+  // The start of the name determines the family, the digits after it the number of nodes.
   AbaqusType
   abaqus_type(const std::string &name)
   {
@@ -124,7 +125,7 @@ namespace Signorini
   {
     using Faces = std::vector<std::pair<std::string, Nodes>>;
 
-    /// @return the corners of all faces of a shape with their labels, as in Abaqus.
+    /// @return corners of all faces of a shape with their labels, as in Abaqus.
     const Faces &
     labelled_faces(const Shape shape)
     {
@@ -171,6 +172,7 @@ namespace Signorini
 
 
 
+  // Labels E1 to E4 of plane cells are synonyms of S1 to S4.
   std::vector<MeshFile::Nodes>
   abaqus_faces(const MeshFile::Element &element, const std::string &label)
   {

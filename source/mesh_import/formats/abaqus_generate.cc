@@ -129,6 +129,7 @@ namespace Signorini
         check_amount(in, double(n) * std::max<std::size_t>(from.size(), 1));
         for (unsigned int k = 0; k < from.size(); ++k)
           {
+            // Interval lengths are bias^(-i), normalised to the distance of the two nodes.
             const std::size_t first = node_number(from[k]);
             const Point<3>    a = scope->mesh->nodes[from[k]], b = scope->mesh->nodes[to[k]];
             double            place = 0, whole_length = 0;
@@ -199,6 +200,7 @@ namespace Signorini
         const unsigned int master = scope->elements.index(number_from(in, words[0]));
         if (master == AbaqusSets::none)
           in.fail("there is no element " + words[0] + " above");
+        // Counts and increments of the three directions; missing ones are one.
         std::size_t n[3], of_nodes[3], of_elements[3];
         for (unsigned int d = 0; d < 3; ++d)
           {
@@ -207,6 +209,7 @@ namespace Signorini
             of_elements[d] = number_from(in, word(words, 3 + 3 * d, "1"));
           }
         check_amount(in, double(n[0]) * n[1] * n[2]);
+        // The nodes of each copy are found by their numbers, which must exist.
         std::vector<std::size_t> numbers;
         for (const unsigned int node : scope->mesh->elements[master].nodes)
           numbers.push_back(node_number(node));

@@ -116,6 +116,7 @@ namespace Signorini
     const RigidMotion  motion     = read_motion();
     MeshFile          &file       = *whole.mesh;
     const unsigned int first_node = file.nodes.size(), first_element = file.elements.size();
+    // Numbers and sets of the part, with indices into the mesh of the file.
     instance = {whole.mesh,
                 shifted(of.nodes, first_node),
                 shifted(of.elements, first_element),
@@ -125,6 +126,7 @@ namespace Signorini
                 {}};
     for (const Point<3> &node : of.mesh->nodes)
       file.nodes.push_back(motion(node));
+    // The elements of the instance are a group of its name.
     MeshFile::Group all{instance_name, {}, {}, {}};
     for (MeshFile::Element element : of.mesh->elements)
       {

@@ -172,6 +172,7 @@ namespace Signorini
 
 
 
+  // With GENERATE each line is first, last, step; otherwise it has any number of words.
   std::vector<std::string>
   AbaqusSets::append_lines(KeywordFile &in, std::vector<unsigned int> &members) const
   {
@@ -202,6 +203,7 @@ namespace Signorini
 
 
 
+  // Sets of the instance get the name of the instance in front.
   bool
   AbaqusSets::add_instance(const std::string &name, const AbaqusSets &of)
   {

@@ -25,8 +25,9 @@ namespace Signorini
     /// Shape and number of nodes of an element type.
     struct Type
     {
-      Shape        shape;
-      unsigned int n_nodes; ///< 0: any
+      Shape shape;
+      /// Number of nodes; 0: any.
+      unsigned int n_nodes;
     };
 
     /// @return shape and number of nodes of an element type as Gmsh numbers it.
@@ -74,6 +75,7 @@ namespace Signorini
     class GmshReader
     {
     public:
+      /// Open the file and check its format.
       GmshReader(const std::string &file_name)
         : file_name(file_name)
         , in(file_name)
@@ -94,6 +96,8 @@ namespace Signorini
         skip_section("MeshFormat");
       }
 
+      /// Read all sections, then create the groups from physical names and tags.
+      /// @return the mesh, which is moved out of the reader
       MeshFile
       read()
       {
@@ -241,6 +245,7 @@ namespace Signorini
         file.nodes.push_back(p);
       }
 
+      /// Lines: tag and coordinates of each node.
       void
       read_old_nodes()
       {
@@ -355,6 +360,8 @@ namespace Signorini
         in >> n;
         skip_numbers(n);
         in >> n;
+        // String tags (the first is the name), real tags (skipped), integer tags: step, components,
+        // nodes.
         std::vector<std::size_t> tags; // of the step, number of components, number of nodes
         for (std::size_t tag; tags.size() < n && in >> tag;)
           tags.push_back(tag);
@@ -378,8 +385,9 @@ namespace Signorini
       std::ifstream     in;
       MeshFile          file;
       /// Whether the format is 4.1 (otherwise 2.2).
-      bool                                          is_new = true;
-      std::unordered_map<std::size_t, unsigned int> index_of; ///< index of a node by its tag
+      bool is_new = true;
+      /// Index of a node by its tag.
+      std::unordered_map<std::size_t, unsigned int> index_of;
 
       // By dimension and then by tag: physical names, physical tags of entities, and elements of
       // physical tags.

@@ -178,6 +178,7 @@ namespace Signorini
 
 
 
+  // Data lines of *INCLUDE belong to the keyword before it.
   bool
   KeywordFile::follow_include(const std::string &line)
   {
@@ -223,6 +224,7 @@ namespace Signorini
           {
             if (equal == std::string::npos)
               throw SceneError("is not name = formula");
+            // ** is the power operator of Python, ^ that of formulas here.
             std::string formula = trim(line.substr(equal + 1));
             for (auto power = formula.find("**"); power != std::string::npos;
                  power      = formula.find("**"))

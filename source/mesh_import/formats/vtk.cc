@@ -95,8 +95,11 @@ namespace Signorini
             of_cells = word == "CELL_DATA";
             n_values = next_number();
           }
+        /// SCALARS name type [components], LOOKUP_TABLE name, values.
         else if (word == "SCALARS")
           read_scalars();
+        /// FIELD name number-of-arrays, then for each array: name, components, tuples, type,
+        /// values.
         else if (word == "FIELD")
           read_fields();
         else if (word == "METADATA")
@@ -191,6 +194,7 @@ namespace Signorini
         return result;
       }
 
+      /// POINTS n type, 3 n coordinates.
       void
       read_points()
       {
@@ -227,6 +231,7 @@ namespace Signorini
           }
       }
 
+      /// CELL_TYPES n, n types. The cells are added here, since CELLS precede their types.
       void
       read_types()
       {

@@ -46,6 +46,7 @@ namespace Signorini
     class VTUReader
     {
     public:
+      /// Read the file. Throws SceneError if it is not valid XML.
       explicit VTUReader(const std::string &file_name)
         : file_name(file_name)
       {
@@ -64,6 +65,8 @@ namespace Signorini
           }
       }
 
+      /// Interpret the file, which must be little-endian and have one piece.
+      /// @return the mesh, which is moved out of the reader
       MeshFile
       read()
       {

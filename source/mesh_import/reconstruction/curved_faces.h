@@ -21,10 +21,14 @@ namespace Signorini
   template <int dim>
   struct FittedSurface
   {
-    dealii::Point<dim>     center; ///< of the sphere, or a point of the axis
-    dealii::Tensor<1, dim> axis;   ///< unit vector; zero for a circle or sphere
-    double                 radius; ///< of a cone: in the plane of the center
-    double                 slope;  ///< of a cone: change of the radius along the axis
+    /// Centre of the circle or sphere, or a point of the axis.
+    dealii::Point<dim> center;
+    /// Unit vector; zero for a circle or sphere.
+    dealii::Tensor<1, dim> axis;
+    /// Radius [length]; of a cone in the plane through the centre.
+    double radius;
+    /// For a cone the change of the radius per length along the axis; otherwise 0.
+    double slope;
 
     /// @return the closest point of the surface; on a cone the one at the same height, which is
     /// close to it if p is close to the surface. NaN if p is the centre or on the axis.
@@ -67,8 +71,9 @@ namespace Signorini
   template <int dim>
   struct RoundFaces
   {
-    FittedSurface<dim>        surface;
-    std::vector<unsigned int> faces; ///< indices into the list of faces
+    FittedSurface<dim> surface;
+    /// Indices into the list of faces.
+    std::vector<unsigned int> faces;
     /// Largest distance [length] of the facets from the surface, estimated from the angles between
     /// them.
     double sagitta;
@@ -99,7 +104,8 @@ namespace Signorini
   template <int dim>
   struct SmoothFace
   {
-    unsigned int face; ///< index into the list of faces
+    /// Index into the list of faces.
+    unsigned int face;
     /// The curved edges, from which CurvedFace interpolates the surface.
     typename CurvedFace<dim>::Edges edges;
     /// Estimated distance [length] of the curved face from the true surface.
@@ -177,9 +183,12 @@ namespace Signorini
     std::array<double, dim - 1>
     place_of(const dealii::Tensor<1, dim> &arm) const;
 
-    dealii::Tensor<1, dim>                      up;
-    std::array<dealii::Tensor<1, dim>, dim - 1> axes; ///< of the plane, by the extent of the points
+    dealii::Tensor<1, dim> up;
+    /// The axes of the plane, each divided by the extent of the points along it.
+    std::array<dealii::Tensor<1, dim>, dim - 1> axes;
     unsigned int                                degree = 0;
-    std::vector<double> coefficients; ///< of height by powers along the axes
+    /// Coefficients of the monomials in the coordinates along `axes`; they have the unit of a
+    /// length.
+    std::vector<double> coefficients;
   };
 } // namespace Signorini

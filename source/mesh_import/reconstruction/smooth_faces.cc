@@ -72,7 +72,8 @@ namespace Signorini
       }
 
     private:
-      using Corner = std::pair<unsigned int, unsigned int>; ///< vertex, patch
+      /// A vertex and the patch to which its fit belongs.
+      using Corner = std::pair<unsigned int, unsigned int>;
 
       void
       fit_all()
@@ -96,6 +97,7 @@ namespace Signorini
         for (const unsigned int f : around[v])
           if (patch_of[f] == patch)
             faces.push_back(f);
+        // Normals have arbitrary signs: they are aligned with the first one before they are added.
         std::set<unsigned int> seen(faces.begin(), faces.end()), corners;
         const Tensor<1, dim>   first = graph.normal(faces[0]);
         Tensor<1, dim>         mean;
@@ -277,9 +279,10 @@ namespace Signorini
           }
       }
 
-      const FacetGraph<dim>                 &graph;
-      const std::vector<bool>               &inserted, &known;
-      std::vector<std::vector<unsigned int>> around; ///< faces at vertices
+      const FacetGraph<dim>   &graph;
+      const std::vector<bool> &inserted, &known;
+      /// The faces at each vertex.
+      std::vector<std::vector<unsigned int>> around;
       std::vector<unsigned int>              patch_of;
       std::map<Corner, LocalSurface<dim>>    fits;
     };

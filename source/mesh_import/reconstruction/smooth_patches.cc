@@ -119,6 +119,7 @@ namespace Signorini
 
 
 
+  // The multimap sorts patches by position; equal keys keep the order of the faces.
   template <int dim>
   std::vector<SmoothPatch<dim>>
   smooth_patches(const std::vector<CellData<dim - 1>> &faces,

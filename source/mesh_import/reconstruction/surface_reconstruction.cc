@@ -148,6 +148,7 @@ namespace Signorini
                    const std::vector<bool>    &known,
                    Facets<dim>                &facets)
     {
+      // The graph of the vertices after round surfaces have moved some of them.
       const FacetGraph<dim>     graph(boundary_faces(part),
                                   triangulation.get_vertices(),
                                   part.inserted);
@@ -206,6 +207,8 @@ namespace Signorini
                        const FilePart<dim> &part,
                        const bool           automatic)
   {
+    // Facets of round surfaces become curved unless cells are too thin; without `automatic` their
+    // distance is reported.
     const FacetGraph<dim>      graph(boundary_faces(part), part.vertices, part.inserted);
     Facets<dim>                facets = find_round_faces(graph);
     const FacesByVertices<dim> by_vertices(triangulation);

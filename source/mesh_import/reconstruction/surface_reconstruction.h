@@ -11,8 +11,10 @@ namespace Signorini
   /// The result of reconstruct_surfaces().
   struct SurfaceReconstruction
   {
-    std::vector<std::string> notes;  ///< a line for each surface that was recognised
-    std::vector<FacetHeight> facets; ///< CoarseMesh::facets
+    /// One message for each surface that was reconstructed.
+    std::vector<std::string> notes;
+    /// The steepest facet of each boundary, for CoarseMesh::facets.
+    std::vector<FacetHeight> facets;
   };
 
   /// Replace facets of the boundary of a mesh from a file by curved surfaces: circles, spheres,

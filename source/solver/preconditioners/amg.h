@@ -29,6 +29,7 @@ namespace Signorini
     void
     vmult(LA::Vector &dst, const LA::Vector &src) const;
 
+    /// The number of cycles so far.
     unsigned int
     multigrid_cycles() const
     {
@@ -53,21 +54,27 @@ namespace Signorini
     /// Update diagonals and the factorisation after a change of the contact stiffness.
     void
     update();
+    /// Set the inverse diagonal of K + B^T D B on a level.
     void
     update_diagonal(Level &level);
+    /// Estimate the largest eigenvalue for the smoother of a level (doc/theory, (7.3)). Collective.
     void
     estimate_eigenvalue(Level &level);
+    /// Factorise the matrix of the coarsest level, with contact stiffness. Collective.
     void
     factorise();
 
     /// (K + B^T D B) x; the array is valid until the next product. Collective.
     float *
     multiply(const Level &level, const float *x) const;
+    /// right - (K + B^T D B) x of a level, in an array that is valid until the next product.
+    /// Collective.
     float *
     residual(const Level &level) const;
     /// Apply the Chebyshev smoother to x. @param from_zero x is zero initially
     void
     smooth(const Level &level, bool from_zero) const;
+    /// Solve on the coarsest level by its factors, in double precision. Collective.
     void
     solve_coarsest(const Level &level) const;
     /// One cycle for the right-hand side of level l; the result is its x.

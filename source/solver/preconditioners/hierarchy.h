@@ -29,6 +29,7 @@ namespace Signorini
               const std::vector<std::vector<double>> &modes,
               unsigned int                            n_components);
 
+    /// The number of levels, the finest one included.
     unsigned int
     n_levels() const
     {
@@ -50,6 +51,7 @@ namespace Signorini
       return my_n_components;
     }
 
+    /// The matrix of the coarsest level, without contact stiffness, for its factorisation.
     const LA::SparseMatrix &
     coarsest_matrix() const
     {

@@ -20,8 +20,8 @@ namespace Signorini
   /// meshes of a few cells), and the volumetric stress leaves a large one; then the first F is
   /// applied too.
   ///
-  /// On saddle points F preserves the constraints, A B du = A g from the start on: CG only sees the
-  /// energy on their null space, where F-V-F is symmetric and positive definite (a constraint
+  /// On saddle points F preserves the constraints, A B du = A g from the start on: the iterates of
+  /// CG stay in their null space, where F-V-F is symmetric and positive definite (a constraint
   /// preconditioner: Gould, Hribar, Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376-1395).
   class InterfaceMultigrid : public Preconditioner
   {

@@ -130,6 +130,7 @@ namespace Signorini
 
 
 
+  // For estimates of eigenvalues, which must hold for any active set (doc/theory, 7.1).
   void
   LevelContactStiffness::stiffen()
   {
@@ -199,6 +200,8 @@ namespace Signorini
 
 
 
+  // B to gaps, D to forces, B^T to the degrees of freedom, in single precision with one exchange in
+  // each direction. Collective.
   void
   LevelContactStiffness::add_product(const unsigned int level, float *dst, const float *src) const
   {
@@ -213,6 +216,8 @@ namespace Signorini
 
 
 
+  // Rows of B have few columns on the coarsest level, so that a dense block is added to K.
+  // Collective.
   LA::SparseMatrix
   LevelContactStiffness::sum_with_contact_stiffness(const LA::SparseMatrix &K,
                                                     const unsigned int      level) const

@@ -35,6 +35,7 @@ namespace Signorini
     stiffen();
 
     void
+    /// Set the stiffness to zero, for a multigrid cycle of the bodies alone.
     remove();
 
     /// True if the stiffness is not zero on some rank.
@@ -44,15 +45,16 @@ namespace Signorini
       return is_any;
     }
 
-    /// result += diag(B^T D B)
+    /// result += diag(B^T D B) on a level, for the owned degrees of freedom. Collective.
     void
     add_diagonal(unsigned int level, float *result) const;
 
-    /// Add the row sums of absolute values, or an upper bound of them.
+    /// Add for each row of B^T D B of a level the sum of the absolute values of its entries, or an
+    /// upper bound of it. Collective.
     void
     add_row_sums(unsigned int level, float *result) const;
 
-    /// dst += B^T D B src
+    /// dst += B^T D B src on a level. Collective.
     void
     add_product(unsigned int level, float *dst, const float *src) const;
 
@@ -61,6 +63,7 @@ namespace Signorini
     sum_with_contact_stiffness(const LA::SparseMatrix &K, unsigned int level) const;
 
   private:
+    /// The mean rows of the groups on a level.
     struct Level
     {
       explicit Level(LA::SparseMatrix &&matrix)
@@ -72,6 +75,7 @@ namespace Signorini
       const LA::LevelMatrix  single_precision;
     };
 
+    /// The entries of B^T D B that are summed up.
     enum class Entries
     {
       diagonal,
@@ -83,8 +87,8 @@ namespace Signorini
     void
     update_levels();
 
-    /// Index of the value of each local contact point; those of component a are a * n_groups
-    /// behind.
+    /// The group of each local contact point; the value of component a of group k is at a n_groups
+    /// + k.
     std::vector<unsigned int>           groups;
     unsigned int                        n_groups;
     LA::Vector                          D, limit;

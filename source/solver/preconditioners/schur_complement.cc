@@ -49,6 +49,7 @@ namespace Signorini
         : system(system)
       {}
 
+      /// The blocks of the law change with the active set; the inverse is recomputed from them.
       void
       update() override
       {
@@ -134,6 +135,8 @@ namespace Signorini
         , direct_solver(direct_solver)
       {}
 
+      /// The interface is that of the present active set: one factorisation of a surface problem.
+      /// Collective.
       void
       update() override
       {
@@ -178,6 +181,7 @@ namespace Signorini
         , diagonal(system)
       {}
 
+      /// Only the inner preconditioner and workspaces depend on the active set.
       void
       update() override
       {
@@ -186,6 +190,7 @@ namespace Signorini
         to   = from;
       }
 
+      /// CG or GMRES for S in the multiplier blocks; the other blocks of the vectors are zero.
       void
       vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override
       {
@@ -287,6 +292,7 @@ namespace Signorini
 
 
 
+  // In the order of the registry.
   std::vector<std::string>
   SchurComplement::names()
   {

@@ -17,7 +17,8 @@ namespace Signorini
   class VolumetricSchur : public Preconditioner
   {
   public:
-    /// Keeps references to both.
+    /// @param system,volumetric must exist as long as this object
+    /// @param others preconditioner P of the displacement and the multipliers
     VolumetricSchur(const ContactSystem            &system,
                     const VolumetricCoupling       &volumetric,
                     std::unique_ptr<Preconditioner> others);
