@@ -22,7 +22,8 @@ namespace Signorini
   {
     LA::Vector bilateral; ///< 1 at points of pairs without separation, else 0
     LA::Vector stiffness; ///< E/h [force/length^3]
-    /// Penalty of the contact law, ContactMethod::epsilon() [force/length^3].
+    /// Penalty of the contact law, ContactMethod::penalty() times Decisions::penalty_factor
+    /// [force/length^3].
     LA::Vector epsilon;
   };
 
@@ -133,7 +134,8 @@ namespace Signorini
     /// Area of each point; their sum is the slave area that has a projection.
     LA::Vector weight;
     LA::Vector reference_gap; ///< reference gap of each point, from the geometry [length]
-    /// G_0: reference_gap with the present share of initial penetrations.
+    /// The gap g_0 of (5.2): reference_gap, times the present share of initial penetrations at
+    /// overlapping and bilateral points, plus moved.gap_offset in displaced configurations.
     LA::Vector initial_gap;
     /// Present share of initial penetrations, for each pair; empty: 1.
     std::vector<double> interference;

@@ -39,7 +39,8 @@ namespace Signorini
       return false;
     }
 
-    /// eps = Factor E/h (L/h)^Growth, with the size L of the scene; or Stiffness.
+    /// eps = Factor E/h (L/h)^a with the exponent a of `Mesh size exponent` and the size L of the
+    /// scene; or Stiffness.
     double
     penalty(const PenaltyScale &scale) const override;
 

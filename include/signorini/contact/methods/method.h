@@ -43,8 +43,8 @@ namespace Signorini
 
   /// A contact method. It makes the contact law; for all frictionless methods that is p = max(0, p^
   /// - eps g), see NormalContact, so that a method only chooses p^, eps and the points at which the
-  /// law holds (doc/theory, 2.1). A method is a file pair in contact/methods and a line in the
-  /// registry.
+  /// law holds (doc/theory, 2.1). A method is a file in contact/methods, its declaration in
+  /// methods.h, and a line in the registry.
   class ContactMethod
   {
   public:
