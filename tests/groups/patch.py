@@ -149,7 +149,7 @@ def solvers():
                 "block triangular:FGMRES", "SIMPLE:FGMRES", "direct:auto"):
         preconditioner, krylov = one.split(":")
         yield solved(one, f"Solver/Preconditioner={preconditioner}", f"Solver/Krylov method={krylov}")
-    for one in ("block triangular:diagonal", "block triangular:mass", "block triangular:zone", "block triangular:multigrid",
+    for one in ("block triangular:diagonal", "block triangular:mass", "block triangular:interface", "block triangular:multigrid",
                 "block diagonal:diagonal", "block diagonal:mass", "SIMPLE:diagonal", "SIMPLE:multigrid"):
         preconditioner, schur = one.split(":")
         yield solved(one, f"Solver/Preconditioner={preconditioner}", f"Solver/Schur complement={schur}")
