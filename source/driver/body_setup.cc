@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/scene_setup.h"
+#include <signorini/parameters/section.h>
 
 namespace Signorini
 {
   using namespace dealii;
+
+  template <int dim>
+  Scene<dim>
+  read_scene(RawSection &raw, const std::string &name, const std::string &folder)
+  {
+    Section    section(raw);
+    Scene<dim> scene;
+    scene.declare(section);
+    section.close();
+    scene.notes = section.notes();
+    scene.given = raw;
+    scene.name  = name;
+    scene.read_files(folder);
+    scene.check();
+    return scene;
+  }
+
+
 
   template <int dim>
   std::unique_ptr<Mesh<dim>>
@@ -69,6 +88,10 @@ namespace Signorini
 
 
 
+  template Scene<2>
+  read_scene(RawSection &, const std::string &, const std::string &);
+  template Scene<3>
+  read_scene(RawSection &, const std::string &, const std::string &);
   template std::unique_ptr<Mesh<2>>
   make_mesh(const Decisions<2> &, MPI_Comm);
   template std::unique_ptr<Mesh<3>>

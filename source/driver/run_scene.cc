@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checkpoint/origin.h"
+#include "driver/scene_setup.h"
 #include "driver/simulation.h"
 #include "output/directory.h"
 #include <signorini/base/text.h>
 #include <signorini/driver/run_scene.h>
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/section.h>
 
 #include <filesystem>
 #include <sstream>
@@ -22,25 +22,15 @@ namespace Signorini
     {
     public:
       Prepared(RawSection &raw, const SceneTask &task, const std::string &name)
-        : only_check(task.only_check)
+        : scene(
+            read_scene<dim>(raw, name, std::filesystem::path(task.scene).parent_path().string()))
+        , only_check(task.only_check)
         , is_restart(!task.restart.empty())
-      {
-        Section section(raw);
-        scene.declare(section);
-        section.close();
-        notes       = section.notes();
-        scene.given = raw;
-        scene.name  = name;
-        scene.read_files(std::filesystem::path(task.scene).parent_path().string());
-        scene.check();
-      }
+      {}
 
       ExitCode
       run(const MPI_Comm comm, std::ostream &out) const override
       {
-        if (Utilities::MPI::this_mpi_process(comm) == 0)
-          for (const std::string &note : notes)
-            out << "note: " << note << std::endl;
         Simulation<dim> simulation(scene, comm, out, is_restart);
         if (!only_check)
           return simulation.run();
@@ -49,9 +39,8 @@ namespace Signorini
       }
 
     private:
-      Scene<dim>               scene;
-      std::vector<std::string> notes;
-      const bool               only_check, is_restart;
+      const Scene<dim> scene;
+      const bool       only_check, is_restart;
     };
 
     /// The input of a task, without its overrides, and the name of the scene: from a file, or for a

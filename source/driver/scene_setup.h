@@ -13,6 +13,14 @@
 
 namespace Signorini
 {
+  /// @return the scene that stands in a section, with the files that it names, checked, and with
+  /// the notes for the user. Throws SceneError.
+  /// @param name of the scene
+  /// @param folder in which files are searched for after the working directory
+  template <int dim>
+  Scene<dim>
+  read_scene(RawSection &raw, const std::string &name, const std::string &folder);
+
   /// The bodies of a scene in one mesh, refined where the scene says. Collective.
   template <int dim>
   std::unique_ptr<Mesh<dim>>

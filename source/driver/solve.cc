@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "driver/scene_setup.h"
 #include "driver/simulation.h"
 #include <signorini/driver/solve.h>
-#include <signorini/parameters/section.h>
+#include <signorini/parameters/raw.h>
 
 namespace Signorini
 {
@@ -52,16 +53,13 @@ namespace Signorini
     RawSection raw;
     for (const std::string &assignment : assignments)
       override_value(raw, assignment);
+    if (const RawSection::Value *dimension = raw.find_value("Dimension");
+        dimension && dimension->text != std::to_string(dim))
+      throw SceneError("Dimension = " + dimension->text +
+                       ": the scene is made as one of dimension " + std::to_string(dim) +
+                       "; leave Dimension out");
     override_value(raw, "Dimension=" + std::to_string(dim));
-    Section    section(raw);
-    Scene<dim> scene;
-    scene.declare(section);
-    section.close();
-    scene.given = raw;
-    scene.name  = name;
-    scene.read_files(folder);
-    scene.check();
-    return scene;
+    return read_scene<dim>(raw, name, folder);
   }
 
 
