@@ -127,7 +127,8 @@ namespace Signorini
     std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;
     for (unsigned int body = 0; body < scene.bodies.size(); ++body)
       for (const Material &material : decisions.materials(body))
-        laws.push_back(law_of(material).make(material));
+        laws.push_back(material.constitutive_law ? material.constitutive_law :
+                                                   law_of(material).make(material));
     const DeformationChange change   = deformation_change(*elasticity, laws, state.displacement);
     const bool              is_small = change.work <= limit;
     neglected_work                   = std::max(neglected_work.value_or(0), change.work);
@@ -195,11 +196,20 @@ namespace Signorini
 
   template <int dim>
   void
-  Problem<dim>::refine_mesh()
+  Problem<dim>::leave_mesh()
   {
     former_cycles  = 0;
     former_seconds = 0;
     equilibrium->configuration_solver.release();
+  }
+
+
+
+  template <int dim>
+  void
+  Problem<dim>::refine_mesh()
+  {
+    leave_mesh();
     std::vector<LA::Vector *> displacements = {&state.displacement};
     if (state.start.displacement.size() > 0)
       displacements.push_back(&state.start.displacement);
@@ -215,9 +225,7 @@ namespace Signorini
   void
   Problem<dim>::p_refine(const std::vector<unsigned int> &bodies)
   {
-    former_cycles  = 0;
-    former_seconds = 0;
-    equilibrium->configuration_solver.release();
+    leave_mesh();
     for (const unsigned int body : bodies)
       decisions.raise_degree(body);
     mesh->set_degrees(decisions.degrees);

@@ -76,6 +76,9 @@ namespace Signorini
     double       former_seconds = 0;
 
   private:
+    /// Start the counters of the next mesh, and free what belongs to the present one.
+    void
+    leave_mesh();
     /// Set up the contact interfaces for the present bodies.
     void
     set_up_contact();
