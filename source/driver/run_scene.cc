@@ -25,13 +25,13 @@ namespace Signorini
         : scene(
             read_scene<dim>(raw, name, std::filesystem::path(task.scene).parent_path().string()))
         , only_check(task.only_check)
-        , is_restart(!task.restart.empty())
+        , origin(task.restart.empty() ? RunOrigin::scene_file : RunOrigin::checkpoint)
       {}
 
       ExitCode
       run(const MPI_Comm comm, std::ostream &out) const override
       {
-        Simulation<dim> simulation(scene, comm, out, is_restart);
+        Simulation<dim> simulation(scene, comm, out, origin);
         if (!only_check)
           return simulation.run();
         simulation.preflight();
@@ -40,7 +40,8 @@ namespace Signorini
 
     private:
       const Scene<dim> scene;
-      const bool       only_check, is_restart;
+      const bool       only_check;
+      const RunOrigin  origin;
     };
 
     /// The input of a task, without its overrides, and the name of the scene: from a file, or for a

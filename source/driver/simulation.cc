@@ -48,7 +48,7 @@ namespace Signorini
   Simulation<dim>::Simulation(const Scene<dim> &scene,
                               const MPI_Comm    comm,
                               std::ostream     &stream,
-                              const bool        is_restart)
+                              const RunOrigin   origin)
     : scene(scene)
     , comm(comm)
     , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
@@ -57,7 +57,7 @@ namespace Signorini
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
     , problem(this->scene, comm, out, timer, [this] { return watch(); })
     , refinement(this->scene, problem, comm, out, timer, clock)
-    , is_restart(is_restart)
+    , origin(origin)
   {
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())
@@ -80,9 +80,14 @@ namespace Signorini
   ExitCode
   Simulation<dim>::run()
   {
+    const bool is_restart = origin == RunOrigin::checkpoint;
     if (is_restart)
-      if (const auto code = code_of_finished_run())
-        return *code;
+      if (const auto code = exit_code_of_finished_run(scene.output.directory))
+        {
+          out << "The run in " << scene.output.directory << " is finished, with exit code " << *code
+              << ": nothing was done." << std::endl;
+          return *code;
+        }
     recorder = std::make_unique<Recorder<dim>>(problem.decisions, clock, timer, comm, is_restart);
     interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
     if (!recorder->note().empty())
@@ -115,7 +120,8 @@ namespace Signorini
   {
     try
       {
-        find_checkpoint();
+        checkpoints = std::make_unique<RunCheckpoints<dim>>(
+          origin, problem, refinement, *recorder, position, clock, timer, comm, out);
         set_up();
         for (; position.cycle < scene.maximum_cycles(); ++position.cycle)
           {
@@ -153,7 +159,8 @@ namespace Signorini
         is_interrupted = true;
         return finish(
           unsolved(interruption.what() +
-                   std::string(has_progressed ? "" : "; there is no checkpoint to restart from")));
+                   std::string(checkpoints && checkpoints->has_progressed() ? "" :
+                                          "; there is no checkpoint to restart from")));
       }
   }
 
@@ -178,19 +185,20 @@ namespace Signorini
   void
   Simulation<dim>::set_up()
   {
+    const bool is_restored = checkpoints && checkpoints->has_former();
     {
       TimerOutput::Scope scope(timer, "mesh");
       // Decisions come before the mesh, whose refinement and degrees they contain.
-      if (former)
-        restore_decisions();
+      if (is_restored)
+        checkpoints->restore_decisions();
       problem.make_mesh();
     }
     TimerOutput::Scope scope(timer, "setup");
-    if (former)
-      restore_mesh();
+    if (is_restored)
+      checkpoints->restore_mesh();
     problem.set_up();
-    if (former)
-      restore_state();
+    if (is_restored)
+      checkpoints->restore_state();
 
     if (problem.elasticity->has_unsupported_modes() && scene.output.linear_reference)
       throw SceneError(
@@ -214,7 +222,7 @@ namespace Signorini
                           problem.contact->surfaces(),
                           problem.contact->gap_operator(),
                           problem.contact->skipped_items());
-    if (position.cycle > 0 || is_restored)
+    if (position.cycle > 0 || (checkpoints && checkpoints->is_restored()))
       return;
     problem.equilibrium->configuration_solver.check_motions();
     check_requests();
@@ -359,7 +367,7 @@ namespace Signorini
     if (!refinement.improve(control, position.cycle, *recorder))
       return false;
     // The state of the last checkpoint belongs to the old mesh.
-    checkpoint_state.reset();
+    checkpoints->forget();
     return true;
   }
 
@@ -406,6 +414,25 @@ namespace Signorini
     recorder->add_targets(of_load, why, position.time);
     refinement.reason_targets_missed = why_at_end;
     return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_finished() const
+  {
+    return position.time >= scene.load_steps.ends().back();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::pass_checkpoint()
+  {
+    checkpoints->pass(is_finished());
+    interruption->set_reserve(checkpoints->reserve());
   }
 
 
@@ -518,6 +545,19 @@ namespace Signorini
 
 
 
+  template <int dim>
+  StepVisitor
+  Simulation<dim>::watch()
+  {
+    const StepVisitor print = print_steps(out);
+    return [this, print](const NewtonStep &step) {
+      print(step);
+      check_for_interruption();
+    };
+  }
+
+
+
   // End of the run: advice by the kind of failure, last checkpoint and failed iterate where there
   // is no solution, results, exit code. Collective.
   template <int dim>
@@ -547,7 +587,7 @@ namespace Signorini
                         problem.contact->skipped_items());
     std::ostringstream text;
     if (!end.converged)
-      write_final_checkpoint();
+      checkpoints->write_last();
     if (!end.converged && !is_interrupted)
       if (const auto last = problem.equilibrium->failure(position.step + 1))
         recorder->add_failure(*last, end);

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "base/interruption.h"
-#include "checkpoint/checkpoints.h"
-#include "driver/adaptive_refinement.h"
-#include "output/recorder.h"
+#include "driver/run_checkpoints.h"
 #include "scene/decisions.h"
 #include "solver/newton.h"
 #include <signorini/base/exit_code.h>
@@ -13,25 +11,11 @@
 #include <deal.II/base/timer.h>
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 
 namespace Signorini
 {
-  /// The position of a run in its sequence of meshes and load steps; the same on all ranks.
-  struct Position
-  {
-    /// Number of refined meshes before the present one.
-    unsigned int cycle = 0;
-    /// Time of the last solved load step; load steps start on the last mesh.
-    double time = 0;
-    /// Number of load steps up to that time.
-    unsigned int step = 0;
-    /// Largest length of the next load step, after cut-backs.
-    double longest = std::numeric_limits<double>::max();
-  };
-
   /// One run: read scene, make mesh, solve, estimate errors, refine; then the load history and the
   /// results. All functions are collective.
   template <int dim>
@@ -39,8 +23,11 @@ namespace Signorini
   {
   public:
     /// @param out stream for messages of the first rank
-    /// @param is_restart continue an earlier run from its output directory
-    Simulation(const Scene<dim> &scene, MPI_Comm comm, std::ostream &out, bool is_restart = false);
+    /// @param origin what the run starts from
+    Simulation(const Scene<dim> &scene,
+               MPI_Comm          comm,
+               std::ostream     &out,
+               RunOrigin         origin = RunOrigin::scene_file);
 
     /// Check and print what would be solved, without solving. Throws SceneError.
     void
@@ -96,36 +83,12 @@ namespace Signorini
     bool
     improve_step();
 
-    // Checkpoints, in simulation_restart.cc:
-
-    /// The exit code of the run in the output directory, if that run is finished.
-    std::optional<ExitCode>
-    code_of_finished_run() const;
-    /// Find the checkpoint of a restart; otherwise write the origin of the run.
-    void
-    find_checkpoint();
-    /// Restore what the program has decided in the earlier run.
-    void
-    restore_decisions();
-    /// Refine the mesh as it was at the checkpoint.
-    void
-    restore_mesh();
-    /// Restore state, search tolerances, counters and error history.
-    void
-    restore_state();
     /// True if nothing is left to be solved.
     bool
     is_finished() const;
-    /// Mark a state from which a restart can continue, and write a checkpoint if it is time for
-    /// one.
+    /// Mark a state from which a restart can continue, and write a checkpoint if it is time for one.
     void
     pass_checkpoint();
-    /// Write a checkpoint of the last such state. Collective.
-    void
-    write_checkpoint();
-    /// Write a checkpoint for a run that ends without a solution.
-    void
-    write_final_checkpoint();
     /// The visitor of Newton steps: prints, and checks for interruption.
     StepVisitor
     watch();
@@ -143,27 +106,11 @@ namespace Signorini
     std::unique_ptr<Recorder<dim>> recorder;
     bool                           only_checks = false;
 
-    /// The state of a checkpoint, without the results: a copy, since attempts to solve change the
-    /// original.
-    struct CheckpointState
-    {
-      State state;
-      Json  head; ///< the same on all ranks
-    };
-    const bool is_restart;
-    bool       is_interrupted = false;
-    /// True from the restart of a run until something is solved.
-    bool is_restored = false;
-    /// True if something has been solved since the start of this process.
-    bool                                has_progressed = false;
-    Position                            position;
-    std::unique_ptr<Checkpoints>        checkpoints;
-    std::unique_ptr<Interruption>       interruption;
-    std::uint32_t                       origin = 0; ///< checksum_of_origin()
-    std::optional<Checkpoints::Content> former;     ///< until it is restored
-    std::optional<CheckpointState>      checkpoint_state;
-    double                              written_at     = 0; ///< seconds: the last checkpoint
-    unsigned int                        steps_since    = 0;
-    double                              shortest_tried = 0; ///< load step since the last solved one
+    const RunOrigin                      origin;
+    bool                                 is_interrupted = false;
+    Position                             position;
+    std::unique_ptr<RunCheckpoints<dim>> checkpoints; ///< null if nothing is written
+    std::unique_ptr<Interruption>        interruption;
+    double                               shortest_tried = 0; ///< load step since the last solved one
   };
 } // namespace Signorini

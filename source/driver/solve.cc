@@ -72,7 +72,7 @@ namespace Signorini
         const std::function<void(const LoadStepResult<dim> &)> &after_step)
   {
     scene.check();
-    Simulation<dim> simulation(scene, comm, out);
+    Simulation<dim> simulation(scene, comm, out, RunOrigin::program);
     if (after_step)
       simulation.after_step = [&](const Snapshot<dim> &now) { after_step(result_of(now)); };
     return simulation.run();

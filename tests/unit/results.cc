@@ -68,7 +68,7 @@ namespace
         {
           code = Simulation<dim>(scene, MPI_COMM_WORLD, std::cout).run();
           if (again)
-            code = Simulation<dim>(scene, MPI_COMM_WORLD, std::cout, true).run();
+            code = Simulation<dim>(scene, MPI_COMM_WORLD, std::cout, RunOrigin::checkpoint).run();
         }
       catch (const std::exception &e)
         {

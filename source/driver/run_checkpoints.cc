@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "driver/run_checkpoints.h"
+
 #include "checkpoint/cells.h"
 #include "checkpoint/origin.h"
-#include "driver/simulation.h"
 #include "output/accuracy_results.h"
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
@@ -89,66 +90,85 @@ namespace Signorini
 
 
 
-  // A finished run has complete results; any other content of the file counts as unfinished.
-  template <int dim>
   std::optional<ExitCode>
-  Simulation<dim>::code_of_finished_run() const
+  exit_code_of_finished_run(const std::string &directory)
   {
-    std::ifstream file(scene.output.directory + "/results.json");
+    std::ifstream file(directory + "/results.json");
     const Json    results = Json::parse(file, nullptr, false);
     if (!results.is_object() || !results.value("complete", false))
       return {};
-    const int code = results.at("exit_code");
-    out << "The run in " << scene.output.directory << " is finished, with exit code " << code
-        << ": nothing was done." << std::endl;
-    return static_cast<ExitCode>(code);
+    return static_cast<ExitCode>(results.at("exit_code").get<int>());
   }
 
 
 
-  // Identify the newest valid checkpoint, and check that it belongs to the same scene as the stored
-  // origin. The first rank reads and broadcasts the checksum. Collective.
+  // The first rank reads or writes the scene, and broadcasts its checksum.
   template <int dim>
-  void
-  Simulation<dim>::find_checkpoint()
+  RunCheckpoints<dim>::RunCheckpoints(const RunOrigin          start,
+                                      Problem<dim>            &problem,
+                                      AdaptiveRefinement<dim> &refinement,
+                                      Recorder<dim>           &recorder,
+                                      Position                &position,
+                                      const Timer             &clock,
+                                      TimerOutput             &timer,
+                                      const MPI_Comm           comm,
+                                      ConditionalOStream      &out)
+    : start(start)
+    , problem(problem)
+    , refinement(refinement)
+    , recorder(recorder)
+    , position(position)
+    , clock(clock)
+    , timer(timer)
+    , comm(comm)
+    , out(out)
+    , checkpoints(recorder.directory(), comm)
   {
-    checkpoints = std::make_unique<Checkpoints>(recorder->directory(), comm);
+    if (start == RunOrigin::program)
+      return;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
         // A new run stores its scene with all defaults, from which restarts read it.
-        if (!is_restart)
-          write_origin(recorder->directory(),
-                       origin_of(scene.name, text_with_defaults(problem.decisions)));
-        origin = checksum_of_origin(recorder->directory());
+        if (start == RunOrigin::scene_file)
+          write_origin(recorder.directory(),
+                       origin_of(problem.decisions.scene.name,
+                                 text_with_defaults(problem.decisions)));
+        origin = checksum_of_origin(recorder.directory());
       }
     origin = Utilities::MPI::broadcast(comm, origin);
-    if (!is_restart)
-      return;
-    former = checkpoints->newest(out);
+    if (start == RunOrigin::checkpoint)
+      find_former();
+  }
+
+
+
+  template <int dim>
+  void
+  RunCheckpoints<dim>::find_former()
+  {
+    former = checkpoints.newest(out);
     if (!former)
       {
         out << "There is no checkpoint yet: the run starts from the beginning." << std::endl;
-        recorder->restore({});
+        recorder.restore({});
         return;
       }
     const Json &head = former->head;
     if (head.at("origin") != origin)
       throw SceneError(
-        "--restart " + recorder->directory() + ": " + former->name +
+        "--restart " + recorder.directory() + ": " + former->name +
         " and restart.scene belong to different runs; solve the scene from the start");
     position = {head.at("cycle"), head.at("time"), head.at("step"), head.at("longest")};
-    out << "Restart from " << recorder->directory() << "/" << former->name << ", written by "
+    out << "Restart from " << recorder.directory() << "/" << former->name << ", written by "
         << head.at("parts").size() << " ranks: mesh " << position.cycle << ", load step "
         << position.step << ", t = " << position.time << std::endl;
   }
 
 
 
-  // The choices of the former run replace those that would be made anew, so that both parts of a
-  // run are the same simulation.
   template <int dim>
   void
-  Simulation<dim>::restore_decisions()
+  RunCheckpoints<dim>::restore_decisions()
   {
     problem.decisions.load(former->head.at("decisions"));
     if (const double share = former->head.value("neglected_work", -1.); share >= 0)
@@ -157,11 +177,9 @@ namespace Signorini
 
 
 
-  // Refine the coarse mesh until it has the cells of the checkpoint, and compare it with the stored
-  // mark. Collective.
   template <int dim>
   void
-  Simulation<dim>::restore_mesh()
+  RunCheckpoints<dim>::restore_mesh()
   {
     restore_cells(*problem.mesh, joined(former->parts).displacement);
     check_mark(*problem.mesh, former->head.at("mesh"));
@@ -169,11 +187,9 @@ namespace Signorini
 
 
 
-  // Displacement, surface fields, internal variables, error history and counters of the checkpoint,
-  // on the mesh that was restored before. Collective.
   template <int dim>
   void
-  Simulation<dim>::restore_state()
+  RunCheckpoints<dim>::restore_state()
   {
     const Json &head = former->head;
     const Part  part = joined(former->parts);
@@ -198,33 +214,23 @@ namespace Signorini
     problem.equilibrium->set_state(there, head.at("follows"));
     problem.former_cycles  = head.at("multigrid_cycles");
     problem.former_seconds = head.at("mesh_seconds");
-    recorder->restore(head.at("results"));
-    for (const Json &cycle : recorder->cycles())
+    recorder.restore(head.at("results"));
+    for (const Json &cycle : recorder.cycles())
       if (!cycle.at("accuracy").contains("time")) // of the end of the load history
         refinement.control.add(quantities_of(cycle.at("accuracy")));
     refinement.tolerance = head.at("tolerance");
     former.reset();
-    is_restored = true;
+    my_is_restored = true;
   }
 
 
 
-  template <int dim>
-  bool
-  Simulation<dim>::is_finished() const
-  {
-    return position.time >= scene.load_steps.ends().back();
-  }
-
-
-
-  // Remember the state between two load steps or meshes as one from which a restart can continue,
-  // and write it if the interval has passed. Attempts to solve change the original, therefore it is
-  // copied. Collective.
   template <int dim>
   void
-  Simulation<dim>::pass_checkpoint()
+  RunCheckpoints<dim>::pass(const bool is_finished)
   {
+    if (start == RunOrigin::program)
+      return;
     Json head = {{"cycle", position.cycle},
                  {"time", position.time},
                  {"step", position.step},
@@ -243,38 +249,36 @@ namespace Signorini
           problem.elasticity->rigid_motion(problem.state.start.displacement);
         head["duration"] = problem.state.start.duration;
       }
-    checkpoint_state = CheckpointState{problem.state, head};
-    if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_finished())
+    last = Passed{problem.state, head};
+    if (position.cycle + position.step == 0 || std::exchange(my_is_restored, false) || is_finished)
       // Nothing has been solved that a restart would lose.
       return;
 
-    has_progressed = true;
+    my_has_progressed = true;
     ++steps_since;
-    const OutputSettings<dim> &settings = scene.output;
+    const OutputSettings<dim> &settings = problem.decisions.scene.output;
     const double               passed   = clock.wall_time() - written_at;
     const bool                 is_due =
       (settings.checkpoint_steps > 0 &&
        (steps_since >= settings.checkpoint_steps || position.step == 0)) ||
       (settings.checkpoint_minutes > 0 && passed >= 60 * settings.checkpoint_minutes);
     if (Utilities::MPI::max(int(is_due), comm))
-      write_checkpoint();
+      write();
   }
 
 
 
-  // If the disk is full the previous checkpoint is kept. The time of writing is reserved before
-  // time limits. Collective.
   template <int dim>
   void
-  Simulation<dim>::write_checkpoint()
+  RunCheckpoints<dim>::write()
   {
     TimerOutput::Scope scope(timer, "checkpoint");
-    Json               head = checkpoint_state->head;
+    Json               head = last->head;
     head["origin"]          = origin;
     head["mesh_seconds"]    = problem.mesh_seconds();
     head["mesh"]            = mark_of_mesh(*problem.mesh);
-    head["results"]         = recorder->save();
-    const State &now        = checkpoint_state->state;
+    head["results"]         = recorder.save();
+    const State &now        = last->state;
     Part         part;
     part.displacement = values_of_cells(*problem.elasticity, now.displacement);
     part.contact      = places_of(now.contact);
@@ -286,59 +290,30 @@ namespace Signorini
         part.start_material     = now.start.material;
       }
     const std::vector<char> bytes = Utilities::pack(part, false);
-    if (checkpoints->write(head, {bytes.begin(), bytes.end()}))
+    if (checkpoints.write(head, {bytes.begin(), bytes.end()}))
       out << "  checkpoint after load step " << head["step"] << ": "
-          << megabytes(checkpoints->bytes()) << " in " << short_text(checkpoints->seconds(), 2)
+          << megabytes(checkpoints.bytes()) << " in " << short_text(checkpoints.seconds(), 2)
           << " s" << std::endl;
     else
       out
         << "  WARNING: the checkpoint cannot be written; is the disk full? The previous one is kept, "
         << "and the run goes on" << std::endl;
-    if (interruption)
-      interruption->set_reserve(2 * checkpoints->seconds() + 1);
     written_at  = clock.wall_time();
     steps_since = 0;
   }
 
 
 
-  // The last state that is known to be good is written once more at the end of a run that failed or
-  // was interrupted, unless it is on the disk already.
   template <int dim>
   void
-  Simulation<dim>::write_final_checkpoint()
+  RunCheckpoints<dim>::write_last()
   {
-    if (checkpoint_state && steps_since > 0)
-      write_checkpoint();
+    if (last && steps_since > 0)
+      write();
   }
 
 
 
-  template <int dim>
-  StepVisitor
-  Simulation<dim>::watch()
-  {
-    const StepVisitor print = print_steps(out);
-    return [this, print](const NewtonStep &step) {
-      print(step);
-      check_for_interruption();
-    };
-  }
-
-
-
-#define INSTANTIATE(dim)                                                                           \
-  template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
-  template bool                    Simulation<dim>::is_finished() const;                           \
-  template void                    Simulation<dim>::find_checkpoint();                             \
-  template void                    Simulation<dim>::restore_decisions();                           \
-  template void                    Simulation<dim>::restore_mesh();                                \
-  template void                    Simulation<dim>::restore_state();                               \
-  template void                    Simulation<dim>::pass_checkpoint();                             \
-  template void                    Simulation<dim>::write_checkpoint();                            \
-  template void                    Simulation<dim>::write_final_checkpoint();                      \
-  template StepVisitor             Simulation<dim>::watch();
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template class RunCheckpoints<2>;
+  template class RunCheckpoints<3>;
 } // namespace Signorini
