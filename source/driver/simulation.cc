@@ -88,7 +88,12 @@ namespace Signorini
               << ": nothing was done." << std::endl;
           return *code;
         }
-    recorder = std::make_unique<Recorder<dim>>(problem.decisions, clock, timer, comm, is_restart);
+    const std::string remark =
+      origin == RunOrigin::program ?
+        "The scene of a program: its own obstacles, meshes and laws are not in this file." :
+        "";
+    recorder =
+      std::make_unique<Recorder<dim>>(problem.decisions, clock, timer, comm, is_restart, remark);
     interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
     if (!recorder->note().empty())
       out << "  note: " << recorder->note() << std::endl;
@@ -157,10 +162,10 @@ namespace Signorini
     catch (const Interrupted &interruption)
       {
         is_interrupted = true;
-        return finish(
-          unsolved(interruption.what() +
-                   std::string(checkpoints && checkpoints->has_progressed() ? "" :
-                                          "; there is no checkpoint to restart from")));
+        return finish(unsolved(interruption.what() +
+                               std::string(checkpoints && checkpoints->has_progressed() ?
+                                             "" :
+                                             "; there is no checkpoint to restart from")));
       }
   }
 
@@ -298,126 +303,6 @@ namespace Signorini
 
 
 
-  // The end of the load history in one step, which mostly converges; otherwise in steps from the
-  // undeformed state. Collective.
-  template <int dim>
-  bool
-  Simulation<dim>::solve_for_estimate()
-  {
-    // Only the end counts, and mostly it is found at once.
-    const double end   = scene.load_steps.end_time;
-    refinement.n_steps = 0;
-    if (problem.solve(end, refinement.tolerance))
-      {
-        refinement.n_steps = problem.report().steps.size();
-        return true;
-      }
-    if (problem.report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
-      return false;
-    out << "  no convergence in one load step (" << problem.report().reason
-        << "): applying the load in steps" << std::endl;
-    State nothing;
-    nothing.displacement = problem.elasticity->zero_vector();
-    nothing.contact      = SurfaceField(dim);
-    problem.equilibrium->set_state(nothing, problem.equilibrium->uses_current_geometry());
-    problem.equilibrium->configuration_solver.restore_active_set();
-    Position start;
-    start.longest = end / 2;
-    return apply_load_history(refinement.tolerance, start, [&](auto) {
-      refinement.n_steps += problem.report().steps.size();
-      return true;
-    });
-  }
-
-
-
-  // All load steps on the final mesh, each of which may refine it further if all steps are to meet
-  // the targets.
-  template <int dim>
-  void
-  Simulation<dim>::run_load_history()
-  {
-    // A single load step is the solution that was estimated, but other quantities than those of the
-    // targets are read from it, too; of several load steps, some may have almost no forces, to
-    // which the tolerance is relative. Hence the upper bound.
-    constexpr double largest_tolerance = 1e-5;
-    const bool       is_one            = scene.load_steps.ends().size() == 1;
-    const double     final_tolerance =
-      scene.goals.has_targets() && is_one ?
-            std::max(std::min(refinement.tolerance, largest_tolerance), scene.newton.tolerance) :
-            scene.newton.tolerance;
-    apply_load_history(final_tolerance, position, [&](const unsigned int step) {
-      // Meshes that were made for other load steps may be too coarse for the last one by a little.
-      const bool is_judged =
-        is_finished() && (!refinement.end_judged_on || *refinement.end_judged_on == position.cycle);
-      if (scene.goals.judge_all_steps() && !is_judged && !improve_step())
-        return false;
-      record_step(step);
-      pass_checkpoint();
-      return true;
-    });
-  }
-
-
-
-  template <int dim>
-  bool
-  Simulation<dim>::improve(ErrorControl &control)
-  {
-    if (!refinement.improve(control, position.cycle, *recorder))
-      return false;
-    // The state of the last checkpoint belongs to the old mesh.
-    checkpoints->forget();
-    return true;
-  }
-
-
-
-  // Meet the targets at one load step of the load history, by refinement of the mesh during the
-  // run. Quantities below one hundredth of their final value are not resolved.
-  template <int dim>
-  bool
-  Simulation<dim>::improve_step()
-  {
-    // A value that passes through zero has to be known only relative to its size at the end.
-    constexpr double    small = 0.01;
-    std::vector<double> least;
-    for (const ErrorHistory &of_end : refinement.control.quantities())
-      least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
-    const bool         is_end = is_finished();
-    ErrorControl       of_load(scene.goals, scene.refinement, least);
-    ErrorControl      &its        = is_end ? refinement.control : of_load;
-    const std::string  why_at_end = std::exchange(refinement.reason_targets_missed, {});
-    const unsigned int most       = position.cycle + scene.maximum_cycles();
-    for (;;)
-      {
-        refinement.n_steps = problem.report().steps.size();
-        if (position.cycle == most)
-          {
-            refinement.step_accuracy =
-              accuracy_results(scene.goals, its, refinement.judge(its, position.cycle));
-            break;
-          }
-        if (!improve(its))
-          break;
-        ++position.cycle;
-        problem.equilibrium->find_contact();
-        report_set_up();
-        if (!problem.solve(position.time, scene.newton.tolerance))
-          return false;
-      }
-    if (is_end)
-      return true;
-    const std::string why              = refinement.missed_targets(of_load);
-    refinement.step_accuracy["met"]    = why.empty();
-    refinement.step_accuracy["reason"] = why;
-    recorder->add_targets(of_load, why, position.time);
-    refinement.reason_targets_missed = why_at_end;
-    return true;
-  }
-
-
-
   template <int dim>
   bool
   Simulation<dim>::is_finished() const
@@ -433,77 +318,6 @@ namespace Signorini
   {
     checkpoints->pass(is_finished());
     interruption->set_reserve(checkpoints->reserve());
-  }
-
-
-
-  // Adaptive load steps: between prescribed times (`ends`) a step that does not converge is halved,
-  // down to the shortest admissible one, and steps grow again by the number of Newton steps. Ends
-  // since each step advances the time by at least the shortest length, or the loop is left. Returns
-  // false if a step failed or `visit` ends it.
-  template <int dim>
-  bool
-  Simulation<dim>::apply_load_history(const double                                  tolerance,
-                                      Position                                     &from,
-                                      const std::function<bool(unsigned int step)> &visit)
-  {
-    const std::vector<double> ends    = scene.load_steps.ends();
-    double                    start   = 0;
-    auto &[cycle, t, number, longest] = from;
-    for (const double end : ends)
-      {
-        const double shortest = scene.load_steps.shortest(end - start);
-        start                 = end;
-        while (t < end)
-          {
-            // A remainder that is longer than a step by rounding is taken at once.
-            const double next = end - t <= 1.001 * longest ? end : t + longest;
-            if (ends.size() > 1 || next < end)
-              out << "  load step " << number + 1 << ", t = " << next << std::endl;
-            if (problem.solve(next, tolerance))
-              {
-                longest =
-                  scene.load_steps.next_length(next - t, problem.report().steps.size(), longest);
-                t              = next;
-                shortest_tried = 0;
-                if (!visit(++number))
-                  return false;
-              }
-            else
-              {
-                longest = (next - t) / 2;
-                if (longest < 0.999 * shortest || problem.report().has_unconstrained_modes)
-                  return false;
-                out << "  no convergence (" << problem.report().reason
-                    << (problem.report().tangent_is_indefinite ?
-                          "; the tangent was not positive definite" :
-                          "")
-                    << "): halving the load step" << std::endl;
-                shortest_tried = longest;
-              }
-          }
-      }
-    return true;
-  }
-
-
-
-  // Output of a load step; collective.
-  template <int dim>
-  void
-  Simulation<dim>::record_step(const unsigned int step)
-  {
-    TimerOutput::Scope scope(timer, "output");
-    recorder->add_contact_geometry(problem.equilibrium->neglected(),
-                                   problem.equilibrium->uses_current_geometry());
-    recorder->add_deformation(problem.neglected_work, problem.elasticity->is_finite_strain());
-    const Snapshot<dim> now = problem.equilibrium->snapshot(step);
-    if (after_step)
-      after_step(now);
-    recorder->add_step(now,
-                       problem.report(),
-                       problem.multigrid_cycles(),
-                       std::exchange(refinement.step_accuracy, {}));
   }
 
 

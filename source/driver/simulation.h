@@ -86,7 +86,8 @@ namespace Signorini
     /// True if nothing is left to be solved.
     bool
     is_finished() const;
-    /// Mark a state from which a restart can continue, and write a checkpoint if it is time for one.
+    /// Mark a state from which a restart can continue, and write a checkpoint if it is time for
+    /// one.
     void
     pass_checkpoint();
     /// The visitor of Newton steps: prints, and checks for interruption.
@@ -111,6 +112,6 @@ namespace Signorini
     Position                             position;
     std::unique_ptr<RunCheckpoints<dim>> checkpoints; ///< null if nothing is written
     std::unique_ptr<Interruption>        interruption;
-    double                               shortest_tried = 0; ///< load step since the last solved one
+    double shortest_tried = 0; ///< load step since the last solved one
   };
 } // namespace Signorini

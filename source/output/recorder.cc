@@ -77,7 +77,8 @@ namespace Signorini
                           const Timer          &clock,
                           const TimerOutput    &timer,
                           const MPI_Comm        comm,
-                          const bool            is_restart)
+                          const bool            is_restart,
+                          const std::string    &remark)
     : decisions(decisions)
     , scene(decisions.scene)
     , clock(clock)
@@ -91,7 +92,13 @@ namespace Signorini
     if (is_restart)
       return;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      replace_file(path + "/scene.prm", text_with_defaults(decisions));
+      {
+        // The mark is the first line, by which the file is recognised as one of this program.
+        std::string text = text_with_defaults(decisions);
+        if (!remark.empty())
+          text.insert(mark_of_scene_file().size(), "# " + remark + "\n");
+        replace_file(path + "/scene.prm", text);
+      }
     begin();
     write();
   }

@@ -48,11 +48,13 @@ namespace Signorini
     /// @param timer of its parts
     /// @param comm the ranks
     /// @param is_restart whether existing files are kept, and nothing is written before restore()
+    /// @param remark a comment at the top of scene.prm, without line end; empty: none
     Recorder(const Decisions<dim>      &decisions,
              const dealii::Timer       &clock,
              const dealii::TimerOutput &timer,
              MPI_Comm                   comm,
-             bool                       is_restart = false);
+             bool                       is_restart = false,
+             const std::string         &remark     = "");
 
     /// Continue with the results of an earlier process, and remove files that it has written later.
     /// Collective.

@@ -41,10 +41,12 @@ namespace
   struct Solved
   {
     /// @param again and then restarted
+    /// @param origin what the first run starts from
     template <int dim>
     Solved(std::integral_constant<int, dim>,
            const std::string &scene_text,
-           const bool         again = false)
+           const bool         again  = false,
+           const RunOrigin    origin = RunOrigin::scene_file)
       : folder(fs::temp_directory_path() /
                ("signorini-results-" + std::to_string(getpid()) + "-" + std::to_string(count++)))
     {
@@ -66,7 +68,7 @@ namespace
       std::streambuf    *screen = std::cout.rdbuf(printed.rdbuf());
       try
         {
-          code = Simulation<dim>(scene, MPI_COMM_WORLD, std::cout).run();
+          code = Simulation<dim>(scene, MPI_COMM_WORLD, std::cout, origin).run();
           if (again)
             code = Simulation<dim>(scene, MPI_COMM_WORLD, std::cout, RunOrigin::checkpoint).run();
         }
@@ -458,4 +460,22 @@ TEST_CASE("a run that is refused late leaves results that say so")
   CHECK(run.results["converged"] == false);
   CHECK(run.results["reason"] == run.error);
   CHECK(!fs::exists(run.folder / "out" / "run.lock"));
+}
+
+
+
+// A program may put classes of its own into a scene, in whose place a restart would read others.
+TEST_CASE("the run of a program cannot be restarted, and its scene.prm says what it lacks")
+{
+  const auto files = [](const RunOrigin origin) {
+    const Solved run(Two(), blocks, false, origin);
+    return std::make_pair(
+      fs::exists(run.folder / "out" / "restart.scene"),
+      text_of(run.folder / "out" / "scene.prm").find("# The scene of a program"));
+  };
+  const auto of_file = files(RunOrigin::scene_file), of_program = files(RunOrigin::program);
+  CHECK(of_file.first);
+  CHECK(of_file.second == std::string::npos);
+  CHECK_FALSE(of_program.first);
+  CHECK(of_program.second != std::string::npos);
 }
