@@ -9,16 +9,11 @@
 #include "fields/recovered_pressure.h"
 #include "output/json.h"
 #include "solid/reactions.h"
-#include <signorini/solid/rigid_pose.h>
-
-#include <deal.II/base/utilities.h>
-
-#include <Trilinos_version.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <limits>
 
 namespace Signorini
 {
@@ -224,56 +219,6 @@ namespace Signorini
 
   namespace
   {
-    /// @return the motions of moving obstacles, and their forces on the bodies.
-    template <int dim>
-    Json
-    obstacle_results(const Snapshot<dim> &s)
-    {
-      using Body                       = RigidBody<dim>;
-      const Elasticity<dim>    &e      = s.elasticity;
-      const LA::Vector          forces = contact_force(s);
-      const std::vector<double> motion = e.rigid_motion(s.displacement),
-                                force  = e.rigid_motion(forces);
-      Json result                      = Json::object();
-      for (unsigned int b = 0; b < e.rigid_bodies().size(); ++b)
-        {
-          Json                            u, w, f, m;
-          typename RigidPose<dim>::Moment moment; // about the reference point, where it is now
-          const unsigned int              first = b * Body::n_dofs;
-          // Around the axis radial forces are in balance, and so are moments.
-          const bool on_circles = e.model() == Model::axisymmetric;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              u.push_back(motion[first + d]);
-              f.push_back(on_circles && d == 0 ? 0. : 0. - force[first + d]);
-            }
-          for (unsigned int d = 0; d < Body::n_rotations; ++d)
-            moment[d] = force[first + dim + d] * e.rotation_length_scale();
-          if (!s.contact.at_rest())
-            {
-              std::array<double, Body::n_dofs> now;
-              std::copy_n(motion.begin() + first, now.size(), now.begin());
-              moment = RigidPose<dim>(e.rigid_bodies()[b].reference, now, e.rotation_length_scale())
-                         .moment_of(moment / e.rotation_length_scale());
-            }
-          for (unsigned int d = 0; d < Body::n_rotations; ++d)
-            {
-              w.push_back(motion[first + dim + d] / e.rotation_length_scale());
-              m.push_back(on_circles ? 0. : 0. - moment[d]);
-            }
-          result[e.rigid_bodies()[b].name] = {{"displacement", u},
-                                              {"rotation", w},
-                                              {"force", f},
-                                              {"moment", m}};
-        }
-      return result;
-    }
-  } // namespace
-
-
-
-  namespace
-  {
     /// @return the size of forces that Newton's method may leave for bodies that move without
     /// strain.
     template <int dim>
@@ -369,71 +314,12 @@ namespace Signorini
 
 
 
-  // Faces towards refined ghost cells count once.
-  template <int dim>
-  Json
-  shares_of_ranks(const Elasticity<dim>                  &elasticity,
-                  const std::vector<ContactSurface<dim>> &surfaces)
-  {
-    std::map<std::string, unsigned int> own = {{"dofs", elasticity.owned().n_elements()},
-                                               {"cells", 0},
-                                               {"ghost_cells", 0},
-                                               {"ghost_faces", 0},
-                                               {"slave_faces", 0},
-                                               {"contact_points", 0}};
-    for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          ++own["cells"];
-          for (const unsigned int f : cell->face_indices())
-            if (!cell->at_boundary(f))
-              own["ghost_faces"] += cell->neighbor(f)->has_children() ?
-                                      cell->neighbor_child_on_subface(f, 0)->is_ghost() :
-                                      cell->neighbor(f)->is_ghost();
-        }
-      else if (cell->is_ghost())
-        ++own["ghost_cells"];
-    for (const ContactSurface<dim> &surface : surfaces)
-      {
-        own["slave_faces"] += surface.faces;
-        own["contact_points"] += surface.points.size();
-      }
-    Json result;
-    for (const auto &[name, number] : own)
-      result[name] = Utilities::MPI::all_gather(elasticity.mesh().communicator(), number);
-    return result;
-  }
-
-
-
-  Json
-  peak_memory(const MPI_Comm comm)
-  {
-    Utilities::System::MemoryStats memory;
-    Utilities::System::get_memory_stats(memory);
-    return Json(Utilities::MPI::all_gather(comm, std::round(memory.VmHWM / 1024.)));
-  }
-
-
-
-  Json
-  library_versions()
-  {
-    return {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"Trilinos", TRILINOS_VERSION_STRING}};
-  }
-
-
-
   template Json
   pair_results(const Snapshot<2> &);
   template Json
   pair_results(const Snapshot<3> &);
   template Json
   force_results(const Snapshot<2> &, double);
-  template Json
-  shares_of_ranks(const Elasticity<2> &, const std::vector<ContactSurface<2>> &);
-  template Json
-  shares_of_ranks(const Elasticity<3> &, const std::vector<ContactSurface<3>> &);
   template Json
   force_results(const Snapshot<3> &, double);
 } // namespace Signorini
