@@ -25,6 +25,7 @@ namespace Signorini
                  const typename FaceVertices<dim>::Field                         &q,
                  const std::vector<typename FaceVertices<dim>::Field>            &gradient)
   {
+    // Nodes are numbered lexicographically: node i + j (k + 1) is the i-th of row j, with k = 2.
     const unsigned int k = face.degree, rows = dim == 3 ? k + 1 : 1;
     // Corners first, then the middles of the edges (Hermite interpolation adds an eighth of the
     // change of slope times the length), then the centre.
@@ -38,6 +39,9 @@ namespace Signorini
         bend += (gradient[d](vertices[corner_of_node(a, k)]) -
                  gradient[d](vertices[corner_of_node(b, k)])) *
                 way[d];
+      // At its middle, a cubic with end values q_a, q_b and end slopes q_a', q_b' over the length L
+      // has the value (q_a + q_b)/2 + L (q_a' - q_b')/8. The scalar products of gradients and edge
+      // are L q'.
       values[m] = (values[a] + values[b]) / 2 + (is_smooth ? bend / 8 : 0.);
     };
     for (unsigned int j = 0; j < rows; j += k)
@@ -46,6 +50,8 @@ namespace Signorini
       {
         for (unsigned int i = 0; i <= k; i += k)
           middle(i, k * (k + 1) + i, k + 1 + i);
+        // The Coons patch in the middle of a face: half of the four mid-side values minus a quarter
+        // of the four corners.
         values[4] = (values[1] + values[3] + values[5] + values[7]) / 2 -
                     (values[0] + values[2] + values[6] + values[8]) / 4;
       }

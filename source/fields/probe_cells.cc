@@ -35,6 +35,8 @@ namespace Signorini
         return a.distance < b.distance;
       if (a.body != b.body)
         return a.body < b.body;
+      // Centres are compared with a tolerance, since their coordinates may differ by rounding from
+      // rank to rank.
       for (unsigned int d = 0; d < dim; ++d)
         if (std::abs(a.center[d] - b.center[d]) > same * (a.size + b.size))
           return a.center[d] < b.center[d];
@@ -166,6 +168,8 @@ namespace Signorini
             location.claim.distance <= first.claim.distance + same)
           locations.push_back(location);
     };
+    // The list grows while it is traversed, by neighbours that contain the point as well; it ends
+    // because each cell is visited at most once, and only cells with the point are continued from.
     for (unsigned int i = 0; i < locations.size(); ++i)
       {
         const Cell<dim> cell = locations[i].cell;

@@ -14,6 +14,9 @@ namespace Signorini
   Json
   obstacle_results(const Snapshot<dim> &s)
   {
+    // The degrees of freedom of a rigid body are its translations, then its rotations times a
+    // length, so that all have the unit of a displacement. The entries of forces that are conjugate
+    // to rotations are therefore moments divided by that length.
     using Body                       = RigidBody<dim>;
     const Elasticity<dim>    &e      = s.elasticity;
     const LA::Vector          forces = contact_force(s);
@@ -43,6 +46,8 @@ namespace Signorini
           }
         for (unsigned int d = 0; d < Body::n_rotations; ++d)
           {
+            // The force of the contact acts on the obstacle; its opposite acts on the bodies. The
+            // difference from zero avoids the number -0.
             w.push_back(motion[first + dim + d] / e.rotation_length_scale());
             m.push_back(on_circles ? 0. : 0. - moment[d]);
           }

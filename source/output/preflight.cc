@@ -43,6 +43,8 @@ namespace Signorini
         constexpr double most  = std::numeric_limits<double>::max();
         const Mesh<dim> &mesh  = elasticity.mesh();
         const auto      &names = mesh.boundaries();
+        // Extents begin with the largest numbers of the opposite sign, so that the first face
+        // replaces them, and ranks without faces do not change the minima and maxima of all ranks.
         faces.assign(names.size(), 0.);
         size.assign(names.size(), 0.);
         moment.assign(dim * names.size(), 0.);
@@ -96,6 +98,7 @@ namespace Signorini
         Json center = Json::array(), from = Json::array(), to = Json::array();
         for (unsigned int d = 0; d < dim; ++d)
           {
+            // The centre of gravity: the first moment over the size.
             center.push_back(size[i] > 0 ? moment[dim * i + d] / size[i] : 0.);
             from.push_back(low[dim * i + d]);
             to.push_back(high[dim * i + d]);
@@ -253,6 +256,8 @@ namespace Signorini
                          std::abs(thermal[end].get<double>() - thermal["reference"].get<double>()));
             for (const auto &one : thermal["expansion"])
               alpha = std::max(alpha, std::abs(one.get<double>()));
+            // The product of the largest coefficient and the largest difference from the reference
+            // temperature is an upper bound of the thermal strains at the end.
             if (alpha * rise > small)
               warnings.push_back(
                 "body " + name +
@@ -281,6 +286,8 @@ namespace Signorini
     const Prediction prediction = predict(scene, elasticity, n_points, seconds);
     Json             warnings   = Json::array();
     warn_about_bodies(decisions, warnings);
+    // The bodies are described first, since the warnings about thermal strains read the ranges of
+    // temperatures from their description.
     const Json of_bodies = bodies(decisions, elasticity);
     warn_about_heat(of_bodies, warnings);
     Json report = {

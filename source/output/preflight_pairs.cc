@@ -30,6 +30,8 @@ namespace Signorini
         const MPI_Comm comm = elasticity.mesh().communicator();
         n                   = own.faces.size();
         for (const FacePatch<dim> &patch : own.patches)
+          // The diameter is the diagonal of a face: divided by the square root of dim - 1 it is the
+          // side of a square.
           size += patch.diameter() / std::sqrt(dim - 1.);
         n    = Utilities::MPI::sum(n, comm);
         size = Utilities::MPI::sum(size, comm) / std::max(1., n);
@@ -59,6 +61,8 @@ namespace Signorini
       std::vector<double> histogram(n_bins, 0.);
       for (const ContactPoint<dim> &point : surface.points)
         {
+          // The position of a gap in the range, from 0 to 1; its upper end belongs to the last bin.
+          // Points count with their areas, so that the histogram does not depend on the quadrature.
           const double place = most > least ? (point.gap - least) / (most - least) : 0.;
           histogram[std::min<unsigned int>(n_bins * place, n_bins - 1)] += point.weight;
         }
@@ -67,6 +71,7 @@ namespace Signorini
       const double area = shares[0] + shares[1] + shares[2];
       for (auto *numbers : {&shares, &histogram})
         for (double &x : *numbers)
+          // Four digits are enough for shares, and make reports easier to compare.
           x = area > 0 ? std::round(1e4 * x / area) / 1e4 : 0.;
       return {{"least", least},
               {"largest", most},
@@ -82,6 +87,8 @@ namespace Signorini
     double
     largest_angle(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
     {
+      // The alignment is the cosine of the angle; without any touching point the result is zero
+      // degrees. The maximum below protects the arc cosine from rounding below -1.
       double smallest = 1;
       for (const ContactPoint<dim> &point : surface.points)
         if (point.gap <= rounding)
@@ -97,7 +104,10 @@ namespace Signorini
     match(const Side<dim> &slave, const Side<dim> &master, const MPI_Comm comm)
     {
       // Vertices of both surfaces are sent to the rank of their hash, and compared there.
-      using Key               = std::array<long, dim>;
+      using Key = std::array<long, dim>;
+      // Vertices of the two surfaces that are nearly at the same position usually get the same
+      // integers. If a coordinate is near a limit of rounding they do not, which is why a share of
+      // nine tenths is enough.
       const double resolution = 0.02 * std::min(slave.size, master.size);
       const auto   send       = [&](const Side<dim> &side) {
         std::map<unsigned int, std::vector<Key>> keys;
@@ -109,7 +119,10 @@ namespace Signorini
               for (unsigned int d = 0; d < dim; ++d)
                 {
                   key[d] = std::lround(cell->face(face)->vertex(v)[d] / resolution);
-                  hash   = 31 * hash + static_cast<unsigned long>(key[d]);
+                  // Equal keys have equal hashes, so that equal vertices of both surfaces, wherever
+                  // they are owned, arrive at the same rank; vertices that several ranks send are
+                  // counted once there.
+                  hash = 31 * hash + static_cast<unsigned long>(key[d]);
                 }
               keys[hash % Utilities::MPI::n_mpi_processes(comm)].push_back(key);
             }
@@ -153,6 +166,7 @@ namespace Signorini
             " within the search distance; if they should touch, choose other boundaries, or set "
             "Search distance of the pair");
         // Surfaces that are too far apart have no candidates.
+        // Their gaps are not known, so that the entries about gaps and angles are missing.
         if (surfaces[i].is_apart)
           {
             one["candidates"] = 0;

@@ -29,6 +29,8 @@ namespace Signorini
         {
           ++own["cells"];
           for (const unsigned int f : cell->face_indices())
+            // If the neighbour is divided, its first child at this face is representative: all
+            // children of one parent are usually on one rank.
             if (!cell->at_boundary(f))
               own["ghost_faces"] += cell->neighbor(f)->has_children() ?
                                       cell->neighbor_child_on_subface(f, 0)->is_ghost() :
@@ -54,6 +56,7 @@ namespace Signorini
   {
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
+    // VmHWM is the largest resident memory so far, in kB.
     return Json(Utilities::MPI::all_gather(comm, std::round(memory.VmHWM / 1024.)));
   }
 

@@ -142,6 +142,8 @@ namespace Signorini
     // process.
     seconds_before = results.value("seconds", Json::object());
     if (results.contains("verdict"))
+      // Checks of the earlier load steps are not repeated, but count for the verdict of the whole
+      // run.
       verdict = Verdict::from(results["verdict"]);
     std::vector<std::pair<double, unsigned int>> times;
     for (const Json &step : results["load_steps"])
@@ -198,8 +200,9 @@ namespace Signorini
   {
     if (Utilities::MPI::this_mpi_process(comm) != 0)
       return;
-    const double before      = clock.wall_time();
-    Json         with_former = results;
+    const double before = clock.wall_time();
+    // The copy keeps the former names out of the results in memory, which go into checkpoints.
+    Json with_former = results;
     add_former_entries(with_former);
     replace_file(path + "/results.json", with_former.dump(2) + "\n");
     written_at    = clock.wall_time();
@@ -217,6 +220,8 @@ namespace Signorini
     const Outcome outcome = verdict.outcome();
     const bool    is_answer =
       outcome == Outcome::passed || (outcome == Outcome::warned && !scene.output.strict);
+    // A solution whose checks have failed counts as not converged for scripts that read this entry
+    // alone.
     results["converged"] = report.converged && is_answer;
     results["reason"] = report.converged && !is_answer ? verdict.summary(outcome) : report.reason;
     add_costs();
@@ -226,6 +231,7 @@ namespace Signorini
       {
         print_summary(results, text);
         verdict.print(text);
+        // The comparison is printed in any case, also for solutions that are no answer.
         const bool as_expected = compare(scene.expected, results, text);
         code                   = !is_answer ? not_converged : as_expected ? solved : missed;
       }

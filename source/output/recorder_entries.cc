@@ -74,8 +74,9 @@ namespace Signorini
         add_targets(control, why, end);
       }
     results["load_steps"].back()["accuracy"] = results["accuracy"];
-    const auto all                           = results["load_steps"].size();
-    const auto open                          = std::count_if(results["load_steps"].begin(),
+    // Load steps with the entry null were not judged: the verdict tells how many.
+    const auto all  = results["load_steps"].size();
+    const auto open = std::count_if(results["load_steps"].begin(),
                                     results["load_steps"].end(),
                                     [](const Json &step) { return step["accuracy"].is_null(); });
     if (scene.goals.has_targets() && all > 1)
@@ -107,6 +108,7 @@ namespace Signorini
     for (const NewtonStep &row : report.steps)
       {
         if (row.krylov_iterations > 0)
+          // Rows without linear iterations do not count as Newton steps.
           krylov.push_back(row.krylov_iterations);
         if (row.augmented)
           {
@@ -153,6 +155,8 @@ namespace Signorini
     // The file grows with each step: it is written only if that takes less than a twentieth of the
     // time since the last writing.
     add_costs();
+    // Without this condition, the time for writing would grow with the square of the number of load
+    // steps.
     if (clock.wall_time() - written_at >= 20 * writing_takes)
       write();
   }
@@ -175,6 +179,8 @@ namespace Signorini
       one["body"] = mesh.body_name(report.worst_body);
     std::vector<unsigned int> chattering(now.pairs.size(), 0);
     auto                      pair = now.contact.origin.pair.begin();
+    // Status and pairs of the rows of this rank are in the same order, so that one iterator runs
+    // along.
     for (const double status : now.active)
       chattering[*pair++] += status > 1.5;
     Utilities::MPI::sum(chattering, comm, chattering);

@@ -54,8 +54,11 @@ namespace Signorini
       for (const auto i : s.pressure.locally_owned_elements())
         if (*which++ == pair)
           {
-            const double force    = s.pressure(i) * s.contact.weight(i);
+            const double force = s.pressure(i) * s.contact.weight(i);
+            // If the sides were exchanged, the slave of the computation is the master of the scene,
+            // and the force on the body that the scene names as slave has the opposite sign.
             const double on_slave = exchanged ? -force : force;
+            // Component 0 is the radial one of axisymmetric models.
             for (unsigned int d = on_circles; d < dim; ++d)
               sum.resultant.force[d] += on_slave * s.contact.geometry.normal[d](i);
             const auto &on_master = s.contact.geometry.master_moment.empty() ?
@@ -129,7 +132,11 @@ namespace Signorini
             sums.minus_gap       = std::max(sums.minus_gap, -g);
             sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
           }
+      // Extreme pressures are those of the recovered pressure, since the nodal pressures of degree
+      // 2 are not accurate at points.
       const LA::Vector &nodal = recovered_pressure(s, pair);
+      // A negative pressure is tension; entries that are no nodes of the surface are zero and do
+      // not matter for the maximum.
       for (const auto i : nodal.locally_owned_elements())
         sums.tension = std::max(sums.tension, -nodal(i));
       sums.patch     = contact_patch(s, pair, nodal);
@@ -230,6 +237,9 @@ namespace Signorini
       for (const Material &material : s.elasticity.all_materials())
         stiffest = std::max(stiffest, material.youngs_modulus);
       const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      // The stiffness of a body is about E times its size (in plane models, per thickness, E
+      // alone); times the displacement it is a force, of which Newton's method leaves the share of
+      // its tolerance. A body that moves freely has large displacements without forces.
       return 10 * tolerance * stiffest * s.displacement.linfty_norm() *
              (is_plane ? 1. : mesh.size());
     }
@@ -294,6 +304,8 @@ namespace Signorini
     const auto at_place = [&](const ValueAtPosition<dim> &one) {
       return Json{{"value", one.value}, {"place", list(Tensor<1, dim>(one.position))}};
     };
+    // Dividing by the largest force of the model, not by that of the body, avoids large numbers for
+    // bodies on which hardly any force acts.
     for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
       {
         Json &of_body      = bodies[mesh.body_name(body)];

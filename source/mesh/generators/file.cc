@@ -57,6 +57,8 @@ namespace Signorini
           Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
           for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
             corners[v] = cell->vertex(v);
+          // The determinants of the mapping at the vertices; the comparison below is also true for
+          // NaN.
           GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
           for (const Tensor<0, dim> &volume : volumes)
             if (!(volume > 0))
@@ -105,6 +107,8 @@ namespace Signorini
     std::map<std::string, std::vector<unsigned int>>
     cell_sets_of(const MeshFile &file, const FilePart<dim> &part)
     {
+      // Elements of the part are pointers into the list of the file, so that their index is a
+      // difference of pointers. Elements outside of the part stay without a cell.
       constexpr unsigned int    none = -1;
       std::vector<unsigned int> cell_of(file.elements.size(), none);
       for (unsigned int c = 0; c < part.elements.size(); ++c)
@@ -138,6 +142,8 @@ namespace Signorini
                 box = point;
               has_cells = true;
             }
+      // A side is flat if its length is of the size of rounding relative to the coordinates; files
+      // of plane meshes usually have exact zeros.
       constexpr double rounding = 1e-10;
       const double     size     = has_cells ? box.get_boundary_points().second.norm() +
                                         box.get_boundary_points().first.norm() :
@@ -239,6 +245,7 @@ namespace Signorini
     try
       {
         // Step 1: the file. `key` is updated before each step that may throw.
+        // Only a plane model rotates the mesh: cells of a solid have no plane.
         MeshFile all = read_mesh_file(path);
         if (dim == 2)
           append(flatten(all), notes);

@@ -30,6 +30,7 @@ namespace Signorini
   void
   DeckReader::read_behaviour()
   {
+    // The contact law of the scene is constant in time.
     if (in_step)
       {
         skip_item("its change in a step");
@@ -53,6 +54,8 @@ namespace Signorini
     one.kind = Kind::hard;
     if (!kind.empty() && kind != "HARD")
       skip_item(kind + "; contact is hard");
+    // After first contact, such surfaces would stay together; before it they could move freely. The
+    // pairs of the program either may separate or never do.
     if (in.has("NO SEPARATION"))
       {
         one.kind = Kind::tied;
@@ -64,6 +67,7 @@ namespace Signorini
 
   // Data lines: slave, master. Pairs with TIED get an interaction of their own, with a name that no
   // file can contain.
+  // Whether the surfaces exist is not checked here.
   void
   DeckReader::read_pairs()
   {

@@ -11,6 +11,7 @@
 namespace Signorini
 {
   // Data lines: node or set, component, force.
+  // Forces on one node add up within a step, also if the node is named by different sets.
   void
   DeckReader::read_forces()
   {
@@ -42,6 +43,8 @@ namespace Signorini
   void
   DeckReader::read_element_loads()
   {
+    // The mesh reader counts all *DLOAD keywords of the file, so that those of omitted steps have
+    // to be counted here as well; otherwise the names of the surfaces would be shifted.
     ++n_element_loads;
     if (!counts())
       return;
@@ -58,6 +61,8 @@ namespace Signorini
             continue;
           }
         const double value = number(words, 2);
+        // The mesh reader makes one surface for each different value of a keyword, in the order of
+        // the lines.
         if (std::find(pressures.begin(), pressures.end(), value) == pressures.end())
           {
             pressures.push_back(value);
@@ -66,9 +71,12 @@ namespace Signorini
         // Each face is loaded once, however often its element is named.
         std::set<DeckModel::Face> faces;
         for (const unsigned int e : elements_of(words[0]))
+          // Face k of an element has the label Pk as a load and Sk as part of a surface.
           for (DeckModel::Face face :
                abaqus_faces(model.deck.mesh.elements[e], "S" + label.substr(1)))
             {
+              // A face is identified by its corners in ascending order, since two elements that
+              // share it list them differently.
               std::sort(face.begin(), face.end());
               faces.insert(face);
             }
@@ -88,6 +96,7 @@ namespace Signorini
       remove_old(curve);
     for (DeckModel::BodyLoad &load : model.gravity)
       remove_old(load.size);
+    // One message is enough, however many elements have such forces.
     for (const auto &[where, curve] : model.body_forces)
       if (curve.back().step < present_step())
         {
@@ -99,6 +108,8 @@ namespace Signorini
 
 
   // A pressure on all faces of a surface.
+  // The name is recorded in any case, and the faces are stored one by one: a face may belong to
+  // several surfaces, whose pressures add up.
   void
   DeckReader::add_pressure(const std::string &surface, const double value)
   {
@@ -121,8 +132,10 @@ namespace Signorini
       add_gravity(words);
     else if (label == "BX" || label == "BY" || label == "BZ")
       {
+        // The letters X, Y and Z follow each other, so that their distance from X is the component.
         const unsigned int    d = label[1] - 'X';
         DeckModel::BodyForces one{words[0], elements_of(words[0]), d};
+        // Each element is loaded once, however often the set names it.
         std::sort(one.elements.begin(), one.elements.end());
         one.elements.erase(std::unique(one.elements.begin(), one.elements.end()),
                            one.elements.end());
@@ -141,12 +154,16 @@ namespace Signorini
   void
   DeckReader::add_gravity(const Words &words)
   {
+    // Data line: element or set, GRAV, size of the acceleration, its direction, which need not have
+    // the length one.
     const double x = number(words, 3), y = number(words, 4), z = number(words, 5);
     const double n = std::sqrt(x * x + y * y + z * z);
     if (n == 0)
       in.fail("*DLOAD, GRAV needs a direction");
     DeckModel::BodyLoad load{upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}};
     for (DeckModel::BodyLoad &other : model.gravity)
+      // Directions are compared without tolerance: they are unit vectors that were computed from
+      // the numbers of the deck in the same way.
       if (other.name == load.name && other.direction == load.direction)
         return add(other.size, number(words, 2));
     load.elements = elements_of(words[0]);

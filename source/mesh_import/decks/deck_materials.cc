@@ -12,7 +12,8 @@ namespace Signorini
   void
   DeckReader::begin_material()
   {
-    material                       = upper_case(in.value("NAME"));
+    material = upper_case(in.value("NAME"));
+    // Whether this is an error is known only when it gets elastic constants for the second time.
     is_again                       = model.materials.count(material) > 0;
     model.materials[material].name = in.value("NAME");
   }
@@ -44,6 +45,9 @@ namespace Signorini
       }
     if (type == "ORTHO" || type == "ORTHOTROPIC" || type == "ANISO" || type == "ANISOTROPIC")
       {
+        // For an isotropic material D1111 = lambda + 2 mu and D1122 = lambda, with Lame's
+        // constants. Solved for nu = lambda / (2 (lambda + mu)) and E = mu (3 lambda + 2 mu) /
+        // (lambda + mu), these are the formulas below with a = D1111 and b = D1122.
         one.poissons_ratio = b / (a + b);
         one.youngs_modulus = (a - b) * (a + 2 * b) / (a + b);
       }
@@ -100,7 +104,9 @@ namespace Signorini
         return;
       }
     // All coefficients, also from continuation lines.
-    Values      values;
+    Values values;
+    // Only as many numbers are read as the law has, however they are distributed over the lines;
+    // missing ones count as zero. Further lines would be those of other temperatures.
     std::size_t n_all = found->n_coefficients + found->n_terms;
     for (Words words; values.size() < n_all && in.next_line(words);)
       for (unsigned int i = 0; i < words.size() && values.size() < n_all; ++i)
@@ -133,6 +139,8 @@ namespace Signorini
     else
       {
         if (found->n_coefficients != 2 || found->name == "REDUCED POLYNOMIAL")
+          // Only MOONEY-RIVLIN and POLYNOMIAL with N = 1 have a coefficient of the second
+          // invariant.
           one.coefficients.insert(one.coefficients.begin() + 1, 0.); // C01
         one.coefficients.resize(4, 0.);
         mu = 2 * (one.coefficients[0] + one.coefficients[1]);
@@ -140,6 +148,8 @@ namespace Signorini
     if (!(mu > 0))
       in.fail("*HYPERELASTIC: the shear modulus at rest is not positive");
     // Young's modulus and Poisson's ratio from bulk and shear modulus.
+    // D1 = 0 stands for an incompressible material, which gets a finite bulk modulus. The
+    // conversions are those of isotropic linear elasticity, since the law is linearised at rest.
     const double K     = D1 > 0 ? 2 / D1 : nearly_incompressible * mu;
     one.poissons_ratio = (3 * K - 2 * mu) / (2 * (3 * K + mu));
     one.youngs_modulus = 2 * mu * (1 + *one.poissons_ratio);

@@ -160,6 +160,8 @@ namespace Signorini
         if (of_known_length.count(in.keyword()) > 0)
           skip_stray_lines("that do not belong to *" + in.keyword());
       }
+    // Names that the mesh reader did not find are reported with the omissions of the model; they
+    // have no position of their own.
     for (const std::string &what : model.deck.missing)
       model.skip_item(what, "", "keyword");
     return std::move(model);
@@ -174,6 +176,8 @@ namespace Signorini
 
 
   // Report the present keyword with a reason.
+  // If the keyword is one of `restraints`, bodies may be free to move without it, which the report
+  // of the import mentions.
   void
   DeckReader::skip_item(const std::string &why)
   {
@@ -219,6 +223,8 @@ namespace Signorini
 
 
   // Data lines: pairs of time and factor, any number on a line.
+  // An amplitude of another kind is not stored at all, so that check_parameters() reports each
+  // keyword that refers to it.
   void
   DeckReader::read_amplitude()
   {
@@ -239,6 +245,7 @@ namespace Signorini
       for (const std::string &word : words)
         if (!word.empty())
           values.push_back(real_from(in, word));
+    // A time without a factor at the end of the list is ignored.
     for (unsigned int i = 0; i + 1 < values.size(); i += 2)
       points.emplace_back(values[i], values[i + 1]);
   }
@@ -253,6 +260,7 @@ namespace Signorini
     in_step              = true;
     step_counts          = !in.has("PERTURBATION");
     const bool is_finite = in.has("NLGEOM") && upper_case(in.value("NLGEOM")) != "NO";
+    // Strain is small or finite for the whole scene, so that the first step with NLGEOM decides.
     if (is_finite && model.nlgeom.empty())
       {
         model.nlgeom = in.current_position();
@@ -272,6 +280,8 @@ namespace Signorini
 
 
   // Data line: initial increment, duration of the step.
+  // The initial increment is not used: the program chooses its own load steps within a step of the
+  // deck. A duration that is missing or not positive leaves the default of one unit of time.
   void
   DeckReader::read_static()
   {
@@ -296,6 +306,8 @@ namespace Signorini
 
 
   // Eigenvalue analyses and the like are skipped as a whole.
+  // The keyword of the analysis follows *STEP, which has already added the step to the list; it is
+  // removed again, so that times and numbers of later steps are as if it were not in the file.
   void
   DeckReader::skip_step()
   {

@@ -10,6 +10,8 @@
 namespace Signorini
 {
   // Prescribe displacement components (0, 1, 2) of the nodes of a target.
+  // The mask of components belongs to the target as a whole, over all steps; the values are stored
+  // node by node, because later keywords may name the same nodes by other sets.
   void
   DeckReader::hold(const std::string               &target,
                    const std::vector<unsigned int> &components,
@@ -50,6 +52,8 @@ namespace Signorini
     if (removes_old("BOUNDARY"))
       for (auto &[where, curve] : model.supports)
         remove_old(curve);
+    // The values of these supports are not in the deck: they are the displacements reached before,
+    // or come from a user routine or another computation.
     for (const std::string type : {"FIXED", "USER", "SUBMODEL"})
       if (in.has(type))
         {
@@ -61,6 +65,7 @@ namespace Signorini
       return;
     for (Words words; in.next_line(words);)
       {
+        // The second word is either a component number or the name of a type.
         if (words.size() > 1 && !words[1].empty() && !std::isdigit(words[1][0]))
           {
             add_symmetry(words[0], upper_case(words[1]));
@@ -76,6 +81,8 @@ namespace Signorini
           model.skip_item("*BOUNDARY of rotations", in.current_position());
         if (last < first)
           skip_item("whose last component is below the first");
+        // A range such as 2 to 6 contains displacements and rotations: its rotations were reported
+        // above, and its displacements are used.
         if (first < 1 || first > 3)
           continue;
         std::vector<unsigned int> components;
@@ -88,6 +95,8 @@ namespace Signorini
 
 
   // The named types of *BOUNDARY: which components are zero.
+  // Rotations that these types fix as well do not exist in solids. Antisymmetry with respect to a
+  // plane fixes the two displacements in that plane.
   void
   DeckReader::add_symmetry(const std::string &target, const std::string &kind)
   {
@@ -114,6 +123,8 @@ namespace Signorini
   {
     Members nodes;
     model.deck.nodes.append(in, in.value("NSET"), nodes);
+    // Nodes that were loaded or supported above are already stored with the axes of the model,
+    // which would now be wrong.
     for (const unsigned int node : nodes)
       for (unsigned int d = 0; d < 3; ++d)
         if (model.supports.count({node, d}) + model.forces.count({node, d}) > 0)

@@ -24,6 +24,8 @@ namespace Signorini
 
   // Parameters other than the known ones are reported, and references to amplitudes that do not
   // exist.
+  // A load whose amplitude is unknown is kept and ramped instead of being dropped, since a missing
+  // load would change the answer more than another course in time.
   void
   DeckReader::check_parameters(const std::set<std::string> &known)
   {
@@ -51,9 +53,12 @@ namespace Signorini
 
 
   /// Set the value of the present step; the last of several lines is valid.
+  /// The entries of a curve are in the order of the steps with at most one entry for each, so that
+  /// only its last entry has to be compared.
   void
   DeckReader::replace(Curve &curve, const double value) const
   {
+    // Entries of earlier steps stay: they are the values from which this step begins.
     if (!curve.empty() && curve.back().step == present_step())
       curve.pop_back();
     curve.push_back(change_to(value));
@@ -70,6 +75,8 @@ namespace Signorini
     if (curve.empty() || curve.back().step < change.step ||
         curve.back().kind == DeckModel::Change::Kind::removed)
       replace(curve, value);
+    // A curve has one amplitude in each step; the sum of two courses in time could not be expressed
+    // by it.
     else if (curve.back().amplitude != change.amplitude)
       in.fail("loads of different amplitudes at one place in one step; CalculiX refuses them, and "
               "so does this program");
@@ -84,6 +91,9 @@ namespace Signorini
   bool
   DeckReader::removes_old(const std::string &kind)
   {
+    // The kind is inserted in any case, also without OP=NEW: only the first keyword of a kind in a
+    // step decides, and later ones add to it. Loads of the model before all steps have nothing that
+    // they could remove.
     return reported_kinds.insert(kind).second && in_step && upper_case(in.value("OP")) == "NEW";
   }
 
@@ -93,6 +103,8 @@ namespace Signorini
   void
   DeckReader::remove_old(Curve &curve) const
   {
+    // Values of the present step are those that follow OP=NEW and stay; a second removal would be
+    // without effect.
     if (curve.back().step < present_step() && curve.back().kind != DeckModel::Change::Kind::removed)
       curve.push_back({present_step(), 0., "", DeckModel::Change::Kind::removed});
   }
@@ -104,6 +116,8 @@ namespace Signorini
   unsigned int
   DeckReader::component(const Words &words, const unsigned int i) const
   {
+    // The value is limited before the conversion to an integer, which is undefined for negative and
+    // for very large numbers. All callers reject numbers that are out of the range of components.
     return std::clamp(number(words, i), 0., 1000.);
   }
 
@@ -118,6 +132,8 @@ namespace Signorini
       in.fail("*" + in.keyword() + " without the name of a node or set");
     std::vector<unsigned int> nodes;
     model.deck.nodes.append(in, target, nodes);
+    // Repetitions matter for forces alone, which would be added; prescribed values and temperatures
+    // are the same however often they are set.
     if (in.keyword() == "CLOAD")
       skip_repetitions(target, nodes);
     std::sort(nodes.begin(), nodes.end());
@@ -149,6 +165,8 @@ namespace Signorini
   void
   DeckReader::skip_repetitions(const std::string &target, Members members)
   {
+    // Equal members are neighbours after sorting; `members` is a copy, so that the order of the set
+    // itself is not changed.
     std::sort(members.begin(), members.end());
     if (std::adjacent_find(members.begin(), members.end()) != members.end())
       skip_item("on " + target +
@@ -160,6 +178,8 @@ namespace Signorini
 
   /// @return the entry of a node or set in a list, which is created if there is none; null, with a
   /// report, if its nodes have local axes (*TRANSFORM). The pointer is valid until the next call.
+  /// Lists are searched by name in upper case, as names in decks do not distinguish case; the map
+  /// `places` makes this search independent of the number of entries.
   DeckModel::AtNodes *
   DeckReader::at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target)
   {
@@ -171,8 +191,11 @@ namespace Signorini
     const AbaqusSet   *set = model.deck.nodes.find(target);
     one.name               = set ? set->name : target;
     one.nodes              = nodes_of(target);
+    // A target of digits would be ambiguous: the node of that number, or the set of that name.
     if (set && target.find_first_not_of("0123456789") == std::string::npos)
       in.fail("a set of nodes is called as a number: " + target + "; give it another name");
+    // In local axes a component is not a coordinate direction. If a support is omitted for this
+    // reason, the body may be free to move, which the report has to mention.
     for (const unsigned int node : one.nodes)
       if (transformed.count(node) > 0)
         {

@@ -60,6 +60,8 @@ namespace Signorini
     if (whole.mesh->elements.empty())
       in.fail(parts.empty() ? "the file has no elements: *ELEMENT" :
                               "the file has parts, but no elements in instances: *INSTANCE");
+    // The order of these steps matters: groups are made of complete sets, adjustments move nodes of
+    // complete surfaces, and only then the tables of numbers may be moved into the deck.
     complete_scope();
     make_groups();
     for (const Adjustment &one : adjustments)
@@ -84,6 +86,8 @@ namespace Signorini
 
 
 
+  // The set is created if there is none of that name. Without the parameter there is no set, and
+  // the result is null.
   AbaqusSet *
   AbaqusReader::set_of(const std::string &parameter, AbaqusSets &sets)
   {
@@ -106,6 +110,8 @@ namespace Signorini
         Point<3> x;
         for (unsigned int d = 0; d < 3; ++d)
           x[d] = d + 1 < words.size() ? real_from(in, words[d + 1]) : 0.;
+        // SYSTEM of *NODE describes the kind of coordinates within the local system; that local
+        // system itself, from *SYSTEM, is then moved to its place.
         x = cartesian(x, coordinate);
         add_node(number_from(in, words[0]), system ? (*system)(x) : x, set);
       }
@@ -135,6 +141,7 @@ namespace Signorini
   void
   AbaqusReader::add_node(const std::size_t number, const Point<3> &place, AbaqusSet *set)
   {
+    // insert() returns whether the number is new; only then a node is appended.
     if (scope->nodes.insert(number, scope->mesh->nodes.size()))
       scope->mesh->nodes.emplace_back();
     const unsigned int node  = scope->nodes.index(number);
@@ -166,6 +173,7 @@ namespace Signorini
             // Elements of the assembly refer to nodes of instances; no solid does.
             numbers.push_back(
               numbers.empty() || word.find('.') == std::string::npos ? number_from(in, word) : 0);
+        // Without a known number of nodes the end of the line decides, unless it ends with a comma.
         const bool complete =
           type.n_nodes > 0 ? numbers.size() > type.n_nodes : !in.has_continuation();
         if (complete)
@@ -208,6 +216,8 @@ namespace Signorini
       in.fail("element " + std::to_string(numbers[0]) + " is there twice");
     if (set)
       set->members.push_back(elements.size());
+    // An element with too few nodes for its shape is kept as a point, so that its number and its
+    // sets stay valid.
     const bool lacks_nodes = members.size() < n_corners(type.shape);
     elements.push_back({lacks_nodes ? MeshFile::Shape::point : type.shape,
                         type_name,

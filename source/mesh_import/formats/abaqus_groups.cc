@@ -146,6 +146,8 @@ namespace Signorini
 
   // A surface is a union of others, a list of nodes and node sets, or a list of element sets with
   // face labels.
+  // The place of each data line was stored with it, since the file has been read to the end of the
+  // scope when the lines are interpreted.
   MeshFile::Group
   AbaqusReader::completed(const LateSurface &late)
   {
@@ -171,6 +173,9 @@ namespace Signorini
 
 
   // The surfaces above are complete already, since they are completed in the order of the file.
+  // Sizes are added as floating-point numbers before the check, so that a sum beyond the range of
+  // integers is noticed. A union may name a surface that is itself a union, so that sizes can
+  // double from line to line.
   void
   AbaqusReader::add_surface(const std::string &name,
                             const std::string &place,
@@ -207,6 +212,8 @@ namespace Signorini
     if (of.empty())
       for (const auto &[number, e] : scope->elements.numbers())
         members.push_back(e);
+    // A set may contain the same elements many times: the check protects the memory from small
+    // files that describe huge surfaces.
     check_amount(in, double(surface.faces.size()) + members.size());
     for (const unsigned int e : members)
       {
@@ -242,6 +249,9 @@ namespace Signorini
 
   /// Pressures of *DLOAD (labels P1 to P6) act on faces that often have no name. The faces of each
   /// different value become a surface, so that the scene can refer to them.
+  /// Loads refer to elements that are complete at this place of the file, so that the references of
+  /// the scope are resolved first. DeckReader::read_element_loads() makes the same names in the
+  /// same order.
   void
   AbaqusReader::read_element_loads()
   {
@@ -271,12 +281,15 @@ namespace Signorini
 
   // Instances, surfaces, element sets and node sets become groups. What has the same name is in the
   // same group.
+  // Sets are stored by names in upper case; groups have the names as they are written in the file.
   void
   AbaqusReader::make_groups()
   {
     MeshFile &file = *whole.mesh;
     for (const MeshFile::Group &one : instances)
       {
+        // An element set may have the name of an instance only if both have the same elements,
+        // since a scene could not distinguish them.
         if (const AbaqusSet *set = whole.elements.find(one.name);
             set && set->members != one.elements)
           in.fail("the element set '" + one.name + "' is called as an instance is");
