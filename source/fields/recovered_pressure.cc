@@ -131,13 +131,6 @@ namespace Signorini
           }
       }
 
-      /// @return the number of the vertex of a node at a corner.
-      static unsigned int
-      corner_of_node(const unsigned int node, const unsigned int degree)
-      {
-        return (node % (degree + 1) > 0 ? 1 : 0) + (node > degree ? 2 : 0);
-      }
-
       /// @return whether a node is not entirely in contact.
       bool
       is_open(const types::global_dof_index node) const
@@ -327,41 +320,6 @@ namespace Signorini
         return inside;
       }
 
-      /// @return the values at all nodes of a quadratic face from those at its corners: cubic
-      /// Hermite interpolation with the gradients on smooth faces, linear at edges; the centre by
-      /// transfinite interpolation of the boundary.
-      std::vector<double>
-      values_on(const unsigned int f, const Field &q, const std::vector<Field> &gradient) const
-      {
-        const SlaveFace<dim> &face      = surface.slave_faces[f];
-        const bool            is_smooth = !is_at_edge(face);
-        const unsigned int    k = face.degree, rows = dim == 3 ? k + 1 : 1;
-        // Corners first, then the middles of the edges (Hermite interpolation adds an eighth of the
-        // change of slope times the length), then the centre.
-        std::vector<double> values(face.nodes.size());
-        for (unsigned int c = 0; c < n; ++c)
-          values[Vertices::node(c, k)] = q(vertices[f][c]);
-        const auto middle = [&](const unsigned int a, const unsigned int b, const unsigned int m) {
-          double               bend = 0;
-          const Tensor<1, dim> way  = face.positions[b] - face.positions[a];
-          for (unsigned int d = 0; d < dim; ++d)
-            bend += (gradient[d](vertices[f][corner_of_node(a, k)]) -
-                     gradient[d](vertices[f][corner_of_node(b, k)])) *
-                    way[d];
-          values[m] = (values[a] + values[b]) / 2 + (is_smooth ? bend / 8 : 0.);
-        };
-        for (unsigned int j = 0; j < rows; j += k)
-          middle(j * (k + 1), j * (k + 1) + k, j * (k + 1) + 1);
-        if (dim == 3)
-          {
-            for (unsigned int i = 0; i <= k; i += k)
-              middle(i, k * (k + 1) + i, k + 1 + i);
-            values[4] = (values[1] + values[3] + values[5] + values[7]) / 2 -
-                        (values[0] + values[2] + values[6] + values[8]) / 4;
-          }
-        return values;
-      }
-
       /// @return the nodal field, as the mean over faces, from values and gradients at vertices;
       /// zero at open nodes. Collective.
       LA::Vector
@@ -377,7 +335,8 @@ namespace Signorini
           {
             const SlaveFace<dim>     &face = surface.slave_faces[f];
             const std::vector<double> values =
-              face.degree == 2 ? values_on(f, q, slopes) : values_of(face.nodes);
+              face.degree == 2 ? hermite_values(face, vertices[f], !is_at_edge(face), q, slopes) :
+                                 values_of(face.nodes);
             for (unsigned int i = 0; i < values.size(); ++i)
               {
                 sum(face.nodes[i]) += is_open(face.nodes[i]) ? 0. : values[i];

@@ -89,6 +89,22 @@ namespace Signorini
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>  layout;
   };
 
+  /// @return the values at all nodes of a quadratic face from those at its corners: cubic Hermite
+  /// interpolation with the gradients on smooth faces, linear at edges; the centre by transfinite
+  /// interpolation of the boundary.
+  /// @param face the slave face, of degree 2
+  /// @param vertices the indices of its vertices in the fields
+  /// @param is_smooth whether the face is neither at the edge of contact nor of the master
+  /// @param q values at the vertices, with ghost values
+  /// @param gradient surface gradients at the vertices, component by component, with ghost values
+  template <int dim>
+  std::vector<double>
+  hermite_values(const SlaveFace<dim>                                                    &face,
+                 const std::array<dealii::types::global_dof_index, FaceVertices<dim>::n> &vertices,
+                 bool                                                                     is_smooth,
+                 const typename FaceVertices<dim>::Field                                 &q,
+                 const std::vector<typename FaceVertices<dim>::Field>                    &gradient);
+
   /// Set the pressures at nodes without pressure function, and at their neighbours that have
   /// adopted their functions. The pressure of such a neighbour is the mean around the centre of
   /// both functions; from there it is extrapolated linearly with the gradients of adjacent parts of

@@ -49,6 +49,7 @@ namespace Signorini
         if (cell->is_artificial())
           continue;
         for (const unsigned int l : cell->line_indices())
+          // Vertex 1 of the first half of a line is its midpoint.
           if (const auto line = cell->line(l); line->has_children())
             {
               vertices[line->child(0)->vertex_index(1)] = true;
@@ -56,6 +57,8 @@ namespace Signorini
             }
         if constexpr (dim == 3)
           for (const auto &face : cell->face_iterators())
+            // Vertex 3 of the first quarter of a face is its centre, which is a vertex of all four
+            // quarters.
             for (unsigned int c = 0; c < face->n_children(); ++c)
               {
                 const auto child                          = face->child(c);
@@ -160,10 +163,14 @@ namespace Signorini
           double      change = 0;
           for (unsigned int i = 0; i < after.size(); ++i)
             change = std::max(change, before[i].distance(after[i]));
+          // The first term is relative to the diagonal of the cell; the second is the rounding of
+          // coordinates of a cell far from the origin, without which such cells would be stored for
+          // nothing.
           if (change <= small * before.front().distance(before[cell->n_vertices() - 1]) +
                           16 * epsilon * before.front().norm())
             continue;
           add(cell, support_points(after));
+          // A cell that is inverted on its manifolds as well is not the fault of hanging nodes.
           any_folds |= folds(now->points.back()) && !folds(support_points(before));
         }
     if (Utilities::MPI::logical_or(any_folds, comm))

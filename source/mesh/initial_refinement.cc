@@ -19,6 +19,9 @@ namespace Signorini
   {
     /// Throw SceneError if the refinement that is still to come will exceed the memory. Collective.
     /// @param n_refined lower bound of the number of refinements of cells of this rank
+    /// Each refinement replaces a cell by its children, which adds one less than their number.
+    /// Since the bound counts the refinements of the last pass only, no scene is rejected that
+    /// would fit.
     template <int dim>
     void
     check_memory(const Triangulation<dim> &triangulation, const double n_refined)
@@ -43,7 +46,8 @@ namespace Signorini
     check_levels(const Triangulation<dim> &triangulation, const int finest)
     {
       constexpr int most = dim == 2 ? 29 : 18; // P4EST_QMAXLEVEL, P8EST_QMAXLEVEL
-      const bool    is_tree =
+      // Triangulations of other types than those of p4est have no such limit.
+      const bool is_tree =
         dynamic_cast<const parallel::distributed::Triangulation<dim> *>(&triangulation) != nullptr;
       if (is_tree && Utilities::MPI::max(finest, triangulation.get_communicator()) > most)
         throw SceneError(
@@ -76,8 +80,12 @@ namespace Signorini
                 cell->set_refine_flag();
                 n_refined += cell->is_locally_owned();
                 finest = std::max(finest, cell->level() + 1);
+                // A cell that is refined now has at least growth^(left - 1) descendants that the
+                // last pass refines. The check comes before the refinement, since a process that
+                // runs out of memory could not print a message.
                 n_in_all += cell->is_locally_owned() ? std::pow(growth(cell), left - 1) : 0.;
               }
+          // The condition is collective, so that all ranks leave the loop in the same pass.
           if (Utilities::MPI::sum(n_refined, triangulation.get_communicator()) == 0)
             return;
           check_memory(triangulation, n_in_all);
@@ -120,6 +128,7 @@ namespace Signorini
       triangulation,
       *std::max_element(times.begin(), times.end()),
       [](const auto &) { return children; },
+      // A body with n refinements takes part in the last n passes.
       [&](const auto &cell, const unsigned int left) { return times[body(cell)] >= left; });
 
     BoundaryIds surfaces;
@@ -130,6 +139,7 @@ namespace Signorini
     refine_where(
       triangulation,
       settings.contact_refinements,
+      // Half of the children of a cell with a face on the surface have a face there as well.
       [](const auto &) { return children / 2; },
       [&](const auto &cell, auto) {
         for (const unsigned int f : cell->face_indices())

@@ -285,7 +285,8 @@ namespace Signorini
     std::set<types::coarse_cell_id> result;
     for (unsigned int body = 0; body < n_bodies(); ++body)
       {
-        const std::string  start = names[body] + ".";
+        const std::string start = names[body] + ".";
+        // The coarse cells of a body are consecutive in the order of creation.
         const unsigned int first = first_cells[body],
                            end = body + 1 < n_bodies() ? first_cells[body + 1] : coarse_ids.size();
         if (name == names[body])
@@ -310,6 +311,8 @@ namespace Signorini
     coarse_ids.resize(of_ids.size());
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       {
+        // The index of a cell on level 0 is its number in the order of creation; with p4est, the id
+        // of a coarse cell is the number of its tree.
         coarse_ids[cell->index()]         = cell->id().get_coarse_cell_id();
         of_ids[coarse_ids[cell->index()]] = piece_of_coarse_cell[cell->index()];
       }

@@ -49,6 +49,9 @@ namespace Signorini
           for (auto it = tree.qbegin(boost::geometry::index::nearest(center, 1)); it != tree.qend();
                ++it)
             {
+              // The graph has to be symmetric. The additional edges make METIS prefer partitions in
+              // which both sides of a contact are on one rank, which saves communication in the
+              // search and in products with the gap operator.
               graph.add(cell, it->second);
               graph.add(it->second, cell);
             }

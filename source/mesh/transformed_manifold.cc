@@ -94,6 +94,7 @@ namespace Signorini
 
 
   // The tangent of the base manifold is pushed forward by the gradient of F.
+  // By the chain rule, the curve F(X(t)) has the tangent Grad F (dX/dt).
   template <int dim>
   Tensor<1, dim>
   TransformedManifold<dim>::get_tangent_vector(const Point<dim> &x1, const Point<dim> &x2) const
@@ -157,6 +158,8 @@ namespace Signorini
 
 
     /// Append all missing faces and lines of the cells, so that all of them can have manifold ids.
+    /// Only objects in the list of faces and lines can get a manifold id; inner ones are usually
+    /// not in it, but a transformation bends them as well.
     template <int dim>
     void
     complete_faces(CoarseMesh<dim> &mesh)
@@ -191,6 +194,8 @@ namespace Signorini
           Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
           for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
             corners[v] = mesh.vertices[cell.vertices[v]];
+          // The determinants of the mapping at the vertices. The comparison below is also false for
+          // NaN.
           GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
           for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
             if (!(volumes[v] > 0))
@@ -223,6 +228,7 @@ namespace Signorini
     // Each manifold id, also that of flat parts, gets its own transformed manifold. Former
     // manifolds become the bases.
     complete_faces(mesh);
+    // Ids that had no manifold, such as that of flat parts, get one with a flat base.
     const auto                                       former = std::move(mesh.manifolds);
     std::map<types::manifold_id, types::manifold_id> new_ids;
     mesh.manifolds.clear();

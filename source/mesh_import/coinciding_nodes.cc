@@ -58,7 +58,9 @@ namespace Signorini
     : cells(cells)
     , vertices(vertices)
   {
-    namespace bgi      = boost::geometry::index;
+    namespace bgi = boost::geometry::index;
+    // The default is far below the size of the smallest cell, so that nodes of one cell are never
+    // merged with each other, and far above the rounding of coordinates in text files.
     const double reach = distance > 0 ? distance : 1e-3 * shortest_edge(cells, vertices);
     std::vector<std::pair<Point<dim>, unsigned int>> nodes;
     for (const unsigned int node : nodes_of(cells))
@@ -69,6 +71,8 @@ namespace Signorini
         BoundingBox<dim> box({p, p});
         box.extend(reach);
         for (const auto &[q, other] : tree | bgi::adaptors::queried(bgi::intersects(box)))
+          // Boxes are larger than spheres, so that the distance is checked as well; each pair is
+          // stored once, with its lower node first.
           if (other > node && p.distance(q) <= reach)
             pairs.emplace_back(node, other);
       }
@@ -128,6 +132,8 @@ namespace Signorini
     const std::vector<unsigned int> piece = pieces_of_vertices(cells, vertices.size());
     std::vector<unsigned int>       cracks, between; // first nodes
     for (const auto &[node, other] : pairs)
+      // Within a piece, the two nodes are connected by other cells, so that the gap between them is
+      // a crack; between two pieces it may be a contact.
       (piece[node] == piece[other] ? cracks : between).push_back(node);
     if (!cracks.empty())
       throw SceneError(
@@ -172,6 +178,8 @@ namespace Signorini
         {
           const unsigned int a = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
                              b = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)];
+          // Where cells are not connected, the faces on both sides are boundary faces, so that both
+          // ends of the edge are at the boundary.
           if (!at_boundary[a] || !at_boundary[b])
             continue;
           // The candidates are the nodes in the bounding box of the edge.
@@ -183,7 +191,8 @@ namespace Signorini
           for (const auto &[x, node] : tree | bgi::adaptors::queried(bgi::intersects(box)))
             {
               const Tensor<1, dim> offset = x - vertices[a];
-              const double         along  = offset * edge / (length * length);
+              // Position of the projection of the node along the edge, from 0 at a to 1 at b.
+              const double along = offset * edge / (length * length);
               if (piece[node] == piece[a] && along > 0.01 && along < 0.99 &&
                   (offset - along * edge).norm() < near * length)
                 throw SceneError(

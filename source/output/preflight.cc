@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/preflight.h"
 
-#include "contact/search/boundary_faces.h"
 #include "contact/search/face_patches.h"
 #include "matrix_free/make_stiffness.h"
 #include <signorini/parameters/raw.h>
@@ -9,11 +8,9 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace Signorini
 {
@@ -46,6 +43,8 @@ namespace Signorini
         constexpr double most  = std::numeric_limits<double>::max();
         const Mesh<dim> &mesh  = elasticity.mesh();
         const auto      &names = mesh.boundaries();
+        // Extents begin with the largest numbers of the opposite sign, so that the first face
+        // replaces them, and ranks without faces do not change the minima and maxima of all ranks.
         faces.assign(names.size(), 0.);
         size.assign(names.size(), 0.);
         moment.assign(dim * names.size(), 0.);
@@ -99,6 +98,7 @@ namespace Signorini
         Json center = Json::array(), from = Json::array(), to = Json::array();
         for (unsigned int d = 0; d < dim; ++d)
           {
+            // The centre of gravity: the first moment over the size.
             center.push_back(size[i] > 0 ? moment[dim * i + d] / size[i] : 0.);
             from.push_back(low[dim * i + d]);
             to.push_back(high[dim * i + d]);
@@ -169,189 +169,6 @@ namespace Signorini
             {"law", elasticity.is_finite_strain() ? scene.bodies[b].material.law : "linear"}};
           if (elasticity.thermal().expands(b))
             result[scene.bodies[b].name]["thermal"] = thermal(scene, elasticity, b);
-        }
-      return result;
-    }
-
-    /// A boundary of a body: its faces on this rank, and number and mean size of all its faces.
-    template <int dim>
-    struct Side
-    {
-      BoundaryFaces<dim> own;
-      /// Number of faces on all ranks, and their mean size [length].
-      double n = 0, size = 0;
-
-      Side(const Elasticity<dim> &elasticity, const std::string &boundary)
-        : own(elasticity, boundary)
-      {
-        const MPI_Comm comm = elasticity.mesh().communicator();
-        n                   = own.faces.size();
-        for (const FacePatch<dim> &patch : own.patches)
-          size += patch.diameter() / std::sqrt(dim - 1.);
-        n    = Utilities::MPI::sum(n, comm);
-        size = Utilities::MPI::sum(size, comm) / std::max(1., n);
-      }
-    };
-
-    /// @return the range of initial gaps, the shares of the area of the candidates that overlap,
-    /// touch and are open, and a histogram. Collective.
-    template <int dim>
-    Json
-    gaps(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
-    {
-      constexpr unsigned int n_bins = 10;
-      // The range of gaps and the shares of area by their sign.
-      std::array<double, 2> range{{std::numeric_limits<double>::max(),
-                                   std::numeric_limits<double>::max()}}; // least, minus largest
-      std::vector<double>   shares(3, 0.);
-      for (const ContactPoint<dim> &point : surface.points)
-        {
-          range[0] = std::min(range[0], point.gap);
-          range[1] = std::min(range[1], -point.gap);
-          shares[point.gap < -rounding ? 0 : point.gap <= rounding ? 1 : 2] += point.weight;
-        }
-      const double least = Utilities::MPI::min(range[0], comm),
-                   most  = -Utilities::MPI::min(range[1], comm);
-      // The histogram needs the range of all ranks.
-      std::vector<double> histogram(n_bins, 0.);
-      for (const ContactPoint<dim> &point : surface.points)
-        {
-          const double place = most > least ? (point.gap - least) / (most - least) : 0.;
-          histogram[std::min<unsigned int>(n_bins * place, n_bins - 1)] += point.weight;
-        }
-      Utilities::MPI::sum(shares, comm, shares);
-      Utilities::MPI::sum(histogram, comm, histogram);
-      const double area = shares[0] + shares[1] + shares[2];
-      for (auto *numbers : {&shares, &histogram})
-        for (double &x : *numbers)
-          x = area > 0 ? std::round(1e4 * x / area) / 1e4 : 0.;
-      return {{"least", least},
-              {"largest", most},
-              {"overlapping", shares[0]},
-              {"touching", shares[1]},
-              {"open", shares[2]},
-              {"histogram", histogram}};
-    }
-
-    /// @return the largest angle [degrees] between the slave normal and the opposite of the master
-    /// normal where surfaces touch or overlap at the start, on all ranks.
-    template <int dim>
-    double
-    largest_angle(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
-    {
-      double smallest = 1;
-      for (const ContactPoint<dim> &point : surface.points)
-        if (point.gap <= rounding)
-          smallest = std::min(smallest, point.normal_alignment);
-      return std::acos(std::max(-1., Utilities::MPI::min(smallest, comm))) * 180 / numbers::PI;
-    }
-
-    /// @return whether nearly all vertices of the slave are vertices of the master. Coordinates are
-    /// rounded to a fiftieth of a face, and compared on the rank that their hash assigns.
-    /// Collective.
-    template <int dim>
-    bool
-    match(const Side<dim> &slave, const Side<dim> &master, const MPI_Comm comm)
-    {
-      // Vertices of both surfaces are sent to the rank of their hash, and compared there.
-      using Key               = std::array<long, dim>;
-      const double resolution = 0.02 * std::min(slave.size, master.size);
-      const auto   send       = [&](const Side<dim> &side) {
-        std::map<unsigned int, std::vector<Key>> keys;
-        for (const auto &[cell, face] : side.own.faces)
-          for (const unsigned int v : cell->face(face)->vertex_indices())
-            {
-              Key           key;
-              unsigned long hash = 0;
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  key[d] = std::lround(cell->face(face)->vertex(v)[d] / resolution);
-                  hash   = 31 * hash + static_cast<unsigned long>(key[d]);
-                }
-              keys[hash % Utilities::MPI::n_mpi_processes(comm)].push_back(key);
-            }
-        std::set<Key> received;
-        for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, keys))
-          received.insert(list.begin(), list.end());
-        return received;
-      };
-      const std::set<Key> of_slave = send(slave), of_master = send(master);
-      unsigned int        n_same = 0;
-      for (const Key &key : of_slave)
-        n_same += of_master.count(key);
-      return Utilities::MPI::sum(n_same, comm) > 0.9 * Utilities::MPI::sum(of_slave.size(), comm);
-    }
-
-    /// @return the properties of all contact pairs, by their names; warnings are appended.
-    /// Collective.
-    template <int dim>
-    Json
-    pairs(const Decisions<dim>                   &decisions,
-          const Elasticity<dim>                  &elasticity,
-          const std::vector<ContactSurface<dim>> &surfaces,
-          Json                                   &warnings)
-    {
-      const MPI_Comm comm     = elasticity.mesh().communicator();
-      const double   rounding = 1e-10 * elasticity.rotation_length_scale();
-      Json           result   = Json::object();
-      for (unsigned int i = 0; i < surfaces.size(); ++i)
-        {
-          const ContactPair<dim> &pair = decisions.pairs[i];
-          const Side<dim>         slave(elasticity, pair.slave);
-          Json                    one = {{"slave", pair.slave},
-                                         {"slave_faces", slave.n},
-                                         {"slave_face_size", slave.size},
-                                         {"master", pair.master},
-                                         {"separates", pair.can_separate}};
-          if (surfaces[i].has_no_projection)
-            warnings.push_back(
-              "pair " + pair.name + ": no face of " + pair.slave + " faces " + pair.master +
-              " within the search distance; if they should touch, choose other boundaries, or set "
-              "Search distance of the pair");
-          // Surfaces that are too far apart have no candidates.
-          if (surfaces[i].is_apart)
-            {
-              one["candidates"] = 0;
-              result[pair.name] = one;
-              continue;
-            }
-          // The candidates with their gaps and normals.
-          one["candidates"]       = Utilities::MPI::sum(surfaces[i].points.size(), comm);
-          one["covered_share"]    = covered_share(surfaces[i], comm);
-          one["reach"]            = surfaces[i].candidate_gap;
-          one["gap"]              = gaps(surfaces[i], rounding, comm);
-          one["largest_angle"]    = largest_angle(surfaces[i], rounding, comm);
-          const std::string where = "pair " + pair.name + ": ";
-          if (const double overlap = -one["gap"]["least"].get<double>(); overlap > slave.size)
-            warnings.push_back(
-              where +
-              "the initial overlap is larger than a face of the slave; refine the slave, or "
-              "set Interference ramp = t");
-          if (one["largest_angle"] > 60)
-            warnings.push_back(
-              where + "the slave normal deviates by up to " +
-              std::to_string(one["largest_angle"].template get<int>()) +
-              " degrees from the opposite of the master normal where the surfaces touch; refine "
-              "there, or split the surface");
-          // A master surface of a body also has a mesh, which is compared with that of the slave.
-          if (!decisions.scene.obstacle_of(pair))
-            {
-              const Side<dim> master(elasticity, pair.master);
-              one["master_faces"]     = master.n;
-              one["master_face_size"] = master.size;
-              one["matching"]         = match(slave, master, comm);
-              if (slave.size > 8 * master.size)
-                warnings.push_back(
-                  where +
-                  "the slave mesh is more than 8 times coarser than the master mesh; refine " +
-                  pair.slave);
-              else if (master.size > 8 * slave.size)
-                warnings.push_back(
-                  where +
-                  "the master mesh is more than 8 times coarser than the slave mesh; refine " +
-                  pair.master);
-            }
-          result[pair.name] = one;
         }
       return result;
     }
@@ -439,6 +256,8 @@ namespace Signorini
                          std::abs(thermal[end].get<double>() - thermal["reference"].get<double>()));
             for (const auto &one : thermal["expansion"])
               alpha = std::max(alpha, std::abs(one.get<double>()));
+            // The product of the largest coefficient and the largest difference from the reference
+            // temperature is an upper bound of the thermal strains at the end.
             if (alpha * rise > small)
               warnings.push_back(
                 "body " + name +
@@ -467,6 +286,8 @@ namespace Signorini
     const Prediction prediction = predict(scene, elasticity, n_points, seconds);
     Json             warnings   = Json::array();
     warn_about_bodies(decisions, warnings);
+    // The bodies are described first, since the warnings about thermal strains read the ranges of
+    // temperatures from their description.
     const Json of_bodies = bodies(decisions, elasticity);
     warn_about_heat(of_bodies, warnings);
     Json report = {
@@ -477,7 +298,7 @@ namespace Signorini
        word_of(stiffness_forms(),
                choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity))},
       {"modes_constrained_by_contact", elasticity.unsupported_mode_names()},
-      {"pairs", pairs(decisions, elasticity, surfaces, warnings)},
+      {"pairs", preflight_of_pairs(decisions, elasticity, surfaces, warnings)},
       {"skipped", skipped_items(decisions, surfaces, contact)},
       {"warnings", warnings},
       {"predicted",

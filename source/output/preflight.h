@@ -58,6 +58,18 @@ namespace Signorini
             const GapOperator                      &contact,
             double                                  seconds);
 
+  /// @return the part of the report about contact pairs, by their names. Collective.
+  /// @param decisions the scene with all choices
+  /// @param elasticity the model
+  /// @param surfaces contact surfaces of all pairs
+  /// @param warnings to which those about pairs are appended
+  template <int dim>
+  nlohmann::ordered_json
+  preflight_of_pairs(const Decisions<dim>                   &decisions,
+                     const Elasticity<dim>                  &elasticity,
+                     const std::vector<ContactSurface<dim>> &surfaces,
+                     nlohmann::ordered_json                 &warnings);
+
   /// Print a report.
   /// @param report of preflight()
   /// @param out the stream

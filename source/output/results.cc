@@ -9,16 +9,11 @@
 #include "fields/recovered_pressure.h"
 #include "output/json.h"
 #include "solid/reactions.h"
-#include <signorini/solid/rigid_pose.h>
-
-#include <deal.II/base/utilities.h>
-
-#include <Trilinos_version.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <limits>
 
 namespace Signorini
 {
@@ -59,8 +54,11 @@ namespace Signorini
       for (const auto i : s.pressure.locally_owned_elements())
         if (*which++ == pair)
           {
-            const double force    = s.pressure(i) * s.contact.weight(i);
+            const double force = s.pressure(i) * s.contact.weight(i);
+            // If the sides were exchanged, the slave of the computation is the master of the scene,
+            // and the force on the body that the scene names as slave has the opposite sign.
             const double on_slave = exchanged ? -force : force;
+            // Component 0 is the radial one of axisymmetric models.
             for (unsigned int d = on_circles; d < dim; ++d)
               sum.resultant.force[d] += on_slave * s.contact.geometry.normal[d](i);
             const auto &on_master = s.contact.geometry.master_moment.empty() ?
@@ -134,7 +132,11 @@ namespace Signorini
             sums.minus_gap       = std::max(sums.minus_gap, -g);
             sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
           }
+      // Extreme pressures are those of the recovered pressure, since the nodal pressures of degree
+      // 2 are not accurate at points.
       const LA::Vector &nodal = recovered_pressure(s, pair);
+      // A negative pressure is tension; entries that are no nodes of the surface are zero and do
+      // not matter for the maximum.
       for (const auto i : nodal.locally_owned_elements())
         sums.tension = std::max(sums.tension, -nodal(i));
       sums.patch     = contact_patch(s, pair, nodal);
@@ -224,56 +226,6 @@ namespace Signorini
 
   namespace
   {
-    /// @return the motions of moving obstacles, and their forces on the bodies.
-    template <int dim>
-    Json
-    obstacle_results(const Snapshot<dim> &s)
-    {
-      using Body                       = RigidBody<dim>;
-      const Elasticity<dim>    &e      = s.elasticity;
-      const LA::Vector          forces = contact_force(s);
-      const std::vector<double> motion = e.rigid_motion(s.displacement),
-                                force  = e.rigid_motion(forces);
-      Json result                      = Json::object();
-      for (unsigned int b = 0; b < e.rigid_bodies().size(); ++b)
-        {
-          Json                            u, w, f, m;
-          typename RigidPose<dim>::Moment moment; // about the reference point, where it is now
-          const unsigned int              first = b * Body::n_dofs;
-          // Around the axis radial forces are in balance, and so are moments.
-          const bool on_circles = e.model() == Model::axisymmetric;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              u.push_back(motion[first + d]);
-              f.push_back(on_circles && d == 0 ? 0. : 0. - force[first + d]);
-            }
-          for (unsigned int d = 0; d < Body::n_rotations; ++d)
-            moment[d] = force[first + dim + d] * e.rotation_length_scale();
-          if (!s.contact.at_rest())
-            {
-              std::array<double, Body::n_dofs> now;
-              std::copy_n(motion.begin() + first, now.size(), now.begin());
-              moment = RigidPose<dim>(e.rigid_bodies()[b].reference, now, e.rotation_length_scale())
-                         .moment_of(moment / e.rotation_length_scale());
-            }
-          for (unsigned int d = 0; d < Body::n_rotations; ++d)
-            {
-              w.push_back(motion[first + dim + d] / e.rotation_length_scale());
-              m.push_back(on_circles ? 0. : 0. - moment[d]);
-            }
-          result[e.rigid_bodies()[b].name] = {{"displacement", u},
-                                              {"rotation", w},
-                                              {"force", f},
-                                              {"moment", m}};
-        }
-      return result;
-    }
-  } // namespace
-
-
-
-  namespace
-  {
     /// @return the size of forces that Newton's method may leave for bodies that move without
     /// strain.
     template <int dim>
@@ -285,6 +237,9 @@ namespace Signorini
       for (const Material &material : s.elasticity.all_materials())
         stiffest = std::max(stiffest, material.youngs_modulus);
       const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      // The stiffness of a body is about E times its size (in plane models, per thickness, E
+      // alone); times the displacement it is a force, of which Newton's method leaves the share of
+      // its tolerance. A body that moves freely has large displacements without forces.
       return 10 * tolerance * stiffest * s.displacement.linfty_norm() *
              (is_plane ? 1. : mesh.size());
     }
@@ -349,6 +304,8 @@ namespace Signorini
     const auto at_place = [&](const ValueAtPosition<dim> &one) {
       return Json{{"value", one.value}, {"place", list(Tensor<1, dim>(one.position))}};
     };
+    // Dividing by the largest force of the model, not by that of the body, avoids large numbers for
+    // bodies on which hardly any force acts.
     for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
       {
         Json &of_body      = bodies[mesh.body_name(body)];
@@ -369,71 +326,12 @@ namespace Signorini
 
 
 
-  // Faces towards refined ghost cells count once.
-  template <int dim>
-  Json
-  shares_of_ranks(const Elasticity<dim>                  &elasticity,
-                  const std::vector<ContactSurface<dim>> &surfaces)
-  {
-    std::map<std::string, unsigned int> own = {{"dofs", elasticity.owned().n_elements()},
-                                               {"cells", 0},
-                                               {"ghost_cells", 0},
-                                               {"ghost_faces", 0},
-                                               {"slave_faces", 0},
-                                               {"contact_points", 0}};
-    for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          ++own["cells"];
-          for (const unsigned int f : cell->face_indices())
-            if (!cell->at_boundary(f))
-              own["ghost_faces"] += cell->neighbor(f)->has_children() ?
-                                      cell->neighbor_child_on_subface(f, 0)->is_ghost() :
-                                      cell->neighbor(f)->is_ghost();
-        }
-      else if (cell->is_ghost())
-        ++own["ghost_cells"];
-    for (const ContactSurface<dim> &surface : surfaces)
-      {
-        own["slave_faces"] += surface.faces;
-        own["contact_points"] += surface.points.size();
-      }
-    Json result;
-    for (const auto &[name, number] : own)
-      result[name] = Utilities::MPI::all_gather(elasticity.mesh().communicator(), number);
-    return result;
-  }
-
-
-
-  Json
-  peak_memory(const MPI_Comm comm)
-  {
-    Utilities::System::MemoryStats memory;
-    Utilities::System::get_memory_stats(memory);
-    return Json(Utilities::MPI::all_gather(comm, std::round(memory.VmHWM / 1024.)));
-  }
-
-
-
-  Json
-  library_versions()
-  {
-    return {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"Trilinos", TRILINOS_VERSION_STRING}};
-  }
-
-
-
   template Json
   pair_results(const Snapshot<2> &);
   template Json
   pair_results(const Snapshot<3> &);
   template Json
   force_results(const Snapshot<2> &, double);
-  template Json
-  shares_of_ranks(const Elasticity<2> &, const std::vector<ContactSurface<2>> &);
-  template Json
-  shares_of_ranks(const Elasticity<3> &, const std::vector<ContactSurface<3>> &);
   template Json
   force_results(const Snapshot<3> &, double);
 } // namespace Signorini

@@ -27,6 +27,12 @@ namespace Signorini
   Json
   force_results(const Snapshot<dim> &snapshot, double tolerance);
 
+  /// @return the motions of moving obstacles, and their forces on the bodies. Collective.
+  /// @param snapshot the solution
+  template <int dim>
+  Json
+  obstacle_results(const Snapshot<dim> &snapshot);
+
   /// @return the numbers of cells, ghost cells, faces to ghost cells, degrees of freedom, slave
   /// faces and contact points of each rank. Collective.
   /// @param elasticity the model

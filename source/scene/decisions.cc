@@ -30,6 +30,8 @@ namespace Signorini
     {
       if (model_of(scene.model) == Model::plane_stress)
         return "the mixed formulation is not available for Model = plane stress, which does not lock";
+      // The degree 0 of a body means that it has none of its own, and that the degree of the mesh
+      // holds.
       if (body.degree == 1 || (body.degree == 0 && scene.degree_is_set && scene.degree == 1))
         return "the pressure of degree 1 is not stable (inf-sup condition); set Degree = 2";
       if (!(material.poissons_ratio > 0))
@@ -58,6 +60,8 @@ namespace Signorini
       const bool result = material.formulation == Formulation::mixed ||
                           (material.formulation == Formulation::automatic &&
                            material.poissons_ratio >= nearly_incompressible && obstacle.empty());
+      // Lame's constant lambda is infinite then, so that the displacement form has no finite
+      // stiffness.
       if (!result && material.poissons_ratio == 0.5)
         throw SceneError(place + "/Poisson's ratio = 0.5 requires Formulation = mixed" +
                          (obstacle.empty() ? "" : ", but " + obstacle) +
@@ -99,9 +103,12 @@ namespace Signorini
             const std::string of_cells =
               flags.empty() ? "" : "/Materials/" + body.others[flags.size() - 1].name;
             flags.push_back(is_up_formulation(scene, body, *material, place + of_cells));
+            // One material that needs degree 2 decides for the whole body, since the degree is that
+            // of a body.
             if (is_open && (flags.back() || needs_degree_2(scene, *material)))
               degree = 2;
           }
+        // Degrees that are open may be raised later, by the errors of the first solutions.
         open_degrees.push_back(scene.goals.has_targets() && degree == 0);
         degrees.push_back(std::max(degree, 1u));
       }
@@ -166,6 +173,7 @@ namespace Signorini
   {
     const unsigned int slave = degree_of(pair.slave), master = degree_of(pair.master);
     // In an unbiased method each surface is the slave once.
+    // The rule must suit both roles of each surface.
     const unsigned int largest = std::max(slave, master);
     return scene.contact.chosen().unbiased() ?
              scene.contact.integration_of_degrees(largest, largest) :
@@ -202,6 +210,7 @@ namespace Signorini
   {
     double result = scene.contact.geometry_share;
     for (const double target : scene.goals.targets)
+      // A fifth of the target is left for the discretisation.
       result = std::min(result, 0.8 * target);
     return result;
   }
@@ -294,6 +303,8 @@ namespace Signorini
   Decisions<dim>::load(const nlohmann::ordered_json &saved)
   {
     for (unsigned int body = 0; body < degrees.size(); ++body)
+      // Degrees never decrease during a run, so that a saved degree that is higher was raised by
+      // the run.
       if (saved.at("degrees").at(body) > degrees[body])
         raise_degree(body);
     finite_strain  = saved.at("finite_strain");

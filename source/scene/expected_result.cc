@@ -69,6 +69,7 @@ namespace Signorini
         }
     };
     compile("Value", value);
+    // No value but zero itself would be within a relative tolerance of zero.
     if (is_zero(*compile("Reference", reference)) && absolute_tolerance == 0)
       section.fail(
         "Reference",
@@ -104,6 +105,7 @@ namespace Signorini
     {
       if (tree.is_object())
         return tree.contains(part) ? &tree[part] : nullptr;
+      // Numbers with more digits could exceed the range of the conversion, and no list is so long.
       constexpr std::size_t most_digits = 9;
       if (!tree.is_array() || part.empty() || part.size() > most_digits ||
           part.find_first_not_of("0123456789") != std::string::npos)

@@ -121,6 +121,7 @@ namespace Signorini
              const std::string              &now)
     {
       if (begins_with(path, pattern))
+        // Only the last part of a pattern is a former name; what follows in the path is kept.
         path[pattern.size() - 1] = now;
     }
   } // namespace
@@ -136,6 +137,7 @@ namespace Signorini
         const std::string prefix = parent.empty() ? "" : parent + "/";
         entries[prefix + former] = prefix + now;
         at_all(results, split(parent, '/'), 0, [former = former, now = now](Json &object) {
+          // Entries are copied, not moved, so that present and former names are both in the file.
           if (object.contains(now))
             object[former] = Json(object[now]);
         });
@@ -154,6 +156,8 @@ namespace Signorini
     std::vector<std::string> parts = split(path, '/');
     const auto entry = [&](std::string parent, const std::string &former, const std::string &now) {
       const std::string steps = "load_steps/*";
+      // The first pass takes the path from the top of the results, the second one relative to a
+      // load step.
       for (unsigned int of_last = 0; of_last < 2; ++of_last)
         {
           exchange(parts, split(parent.empty() ? former : parent + "/" + former, '/'), now);

@@ -22,26 +22,6 @@ namespace Signorini
 
   namespace
   {
-    /// @return the boundaries on spheres and cylinders that the scene lists; none if the text is a
-    /// keyword. Throws SceneError with the position of the key.
-    template <int dim>
-    std::vector<CurvedBoundary<dim>>
-    read_curved_boundaries(const std::string &text, const Section &section)
-    {
-      try
-        {
-          if (text == "automatic" || text == "none")
-            return {};
-          return curved_boundaries_from<dim>(text);
-        }
-      catch (const SceneError &error)
-        {
-          section.fail("Curved boundaries", error.what());
-        }
-    }
-
-
-
     /// Throw SceneError if a group does not exist.
     void
     check_groups(const MeshFile &file, const std::vector<std::string> &wanted)
@@ -77,6 +57,8 @@ namespace Signorini
           Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
           for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
             corners[v] = cell->vertex(v);
+          // The determinants of the mapping at the vertices; the comparison below is also true for
+          // NaN.
           GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
           for (const Tensor<0, dim> &volume : volumes)
             if (!(volume > 0))
@@ -125,6 +107,8 @@ namespace Signorini
     std::map<std::string, std::vector<unsigned int>>
     cell_sets_of(const MeshFile &file, const FilePart<dim> &part)
     {
+      // Elements of the part are pointers into the list of the file, so that their index is a
+      // difference of pointers. Elements outside of the part stay without a cell.
       constexpr unsigned int    none = -1;
       std::vector<unsigned int> cell_of(file.elements.size(), none);
       for (unsigned int c = 0; c < part.elements.size(); ++c)
@@ -158,6 +142,8 @@ namespace Signorini
                 box = point;
               has_cells = true;
             }
+      // A side is flat if its length is of the size of rounding relative to the coordinates; files
+      // of plane meshes usually have exact zeros.
       constexpr double rounding = 1e-10;
       const double     size     = has_cells ? box.get_boundary_points().second.norm() +
                                         box.get_boundary_points().first.norm() :
@@ -204,94 +190,6 @@ namespace Signorini
       return file;
     const auto candidate = std::filesystem::path(folder) / file;
     return file_exists(candidate.string()) ? candidate.string() : file;
-  }
-
-
-
-  // Names refer to the file and are checked when it is read; positions of keys are stored for
-  // messages.
-  template <int dim>
-  void
-  FileMesh<dim>::declare(Section &section)
-  {
-    section.add("File",
-                file,
-                "mesh file, relative to the scene; the format follows from the extension: " +
-                  mesh_formats());
-    section.add(
-      "Part",
-      selection.part,
-      std::string("physical ") + (dim == 2 ? "surface" : "volume") +
-        " (Gmsh), instance or element set (Abaqus) or ARRAY VALUE of cell data (VTK) of the body, "
-        "with separate nodes; or piece1, piece2, ...: connected components that are no set; empty: "
-        "all cells");
-    section.add("Boundaries",
-                selection.boundaries,
-                "names in the file that are boundaries, separated by commas; a face belongs to the "
-                "first that contains it; empty: all, and a face may have several names");
-    section.add("Feature angle",
-                selection.feature_angle,
-                "faces without a name are split at edges of more than this angle into unnamed1, "
-                "unnamed2, ... by the x, then y, then z of their centers; 0: one boundary unnamed "
-                "[degrees]",
-                Range{0, 180});
-    section.rename_choice("Coinciding nodes", "refuse", "error");
-    section.add_choice(
-      "Coinciding nodes",
-      selection.coinciding_nodes,
-      {{"error", CoincidingPoints::refuse},
-       {"merge", CoincidingPoints::merge},
-       {"keep", CoincidingPoints::keep}},
-      "treatment of coinciding nodes of cells that are not connected; disconnected pieces "
-      "of the body stay separate if a contact pair joins them");
-    section.add("Node distance",
-                selection.node_distance,
-                "tolerance of coinciding nodes; 0: 1e-3 of the shortest edge [length]",
-                non_negative);
-    section.add(
-      "Mid-side nodes",
-      mid_side_nodes,
-      "yes: second-order cells are curved according to their mid-side nodes; no: they are first-order cells");
-    section.add(
-      "Curved boundaries",
-      curved_text,
-      dim == 2 ?
-        "automatic: facets with corners on circles, or on any smooth curve, are curved; none: facets "
-        "remain straight; or boundaries on circles, separated by ;   NAME circle cx cy" :
-        "automatic: facets with corners on spheres, cylinders, cones, or on any smooth surface, are "
-        "curved; none: facets remain plane; or boundaries on spheres (center) or cylinders (point "
-        "and direction of the axis), separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz "
-        "ax ay az");
-    section.add("Temperature field",
-                temperature_field,
-                "name in the file of temperatures at the nodes, linear between those of corners; "
-                "empty: none");
-    section.add("Node sets",
-                node_set_text,
-                "additional node sets by the node numbers of the file: NAME: 1, 4-7; NAME: ...; "
-                "numbers of an instance as INSTANCE.4-7");
-    section.add("Face sets",
-                face_set_text,
-                "additional boundaries: element faces of the part by element number and face label "
-                "of Abaqus, NAME: 3.S2, 5-8.S1; NAME: ...");
-    section.add(
-      "Cell sets",
-      cell_set_text,
-      "additional element sets of the part by the element numbers of the file: NAME: 3, 5-8; NAME: ...");
-    if (!section.reading())
-      return;
-    if (file.empty())
-      section.fail("File", "is required for Mesh = file");
-    surfaces = read_curved_boundaries<dim>(curved_text, section);
-    for (const char *key : {"File",
-                            "Part",
-                            "Boundaries",
-                            "Curved boundaries",
-                            "Temperature field",
-                            "Node sets",
-                            "Face sets",
-                            "Cell sets"})
-      place_of[key] = section.source_of(key);
   }
 
 
@@ -347,6 +245,7 @@ namespace Signorini
     try
       {
         // Step 1: the file. `key` is updated before each step that may throw.
+        // Only a plane model rotates the mesh: cells of a solid have no plane.
         MeshFile all = read_mesh_file(path);
         if (dim == 2)
           append(flatten(all), notes);

@@ -8,8 +8,8 @@
 namespace Signorini
 {
   /// Reads the keywords that define the model, after those of the mesh, each by a function of its
-  /// own. The registry in deck_reader.cc maps keywords to functions; those of supports and loads
-  /// are in deck_loads.cc.
+  /// own. The registry in deck_reader.cc maps keywords to functions; those of materials, supports,
+  /// loads and contact are in files of their own (deck_materials.cc and so on).
   class DeckReader
   {
   public:

@@ -49,6 +49,8 @@ namespace Signorini
                 straighten(file.elements[e]);
               centers.take(file.elements[e]);
             }
+        // A pyramid has a corner with four faces, for which midpoint subdivision gives no
+        // hexahedron.
         cut_pyramids();
         count_faces();
         std::vector<std::string> notes = {division_summary()};
@@ -91,6 +93,8 @@ namespace Signorini
                 const Nodes around = nodes_at(file.elements[e], face);
                 if (around.size() != 4 || n_faces[Centers::key(around)] != 1)
                   continue;
+                // The four triples of consecutive corners are all triangles into which either
+                // diagonal divides the quadrilateral.
                 for (unsigned int i = 0; i < 4; ++i)
                   if (n_faces.count(
                         Centers::key({around[i], around[(i + 1) % 4], around[(i + 2) % 4]})) > 0)
@@ -296,6 +300,8 @@ namespace Signorini
       center_of(const MeshFile::Element &cell, unsigned int &center)
       {
         const CellShape &shape = CellShape::of(cell.shape);
+        // The last node is at the centre if it stands for all corners of the cell, as in hexahedra
+        // with 27 nodes.
         if (shape.nodes[cell.nodes.size() - 1] == shape.all())
           return cell.nodes.back();
         if (center == Centers::none)
@@ -321,6 +327,7 @@ namespace Signorini
       {
         if (cell.nodes.size() == n_corners(cell.shape))
           return false;
+        // Corners 0 and 2 are different in all shapes; their distance is used as a scale only.
         const double size = file.nodes[cell.nodes[0]].distance(file.nodes[cell.nodes[2]]);
         for (const auto &bend : CellShape::of(cell.shape).second_order(cell.nodes.size()).bends)
           if (value(cell, bend).norm() > 1e-9 * size)

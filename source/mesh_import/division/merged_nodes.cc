@@ -47,6 +47,8 @@ namespace Signorini
       const auto                tree = pack_rtree(places);
       std::vector<unsigned int> result(file.nodes.size());
       std::iota(result.begin(), result.end(), 0);
+      // The nodes are in ascending order, so that result[node] is final when it is passed on to
+      // those of higher index near it.
       for (const auto &[p, node] : places) // in order
         {
           BoundingBox<3> box({p, p});
@@ -90,6 +92,7 @@ namespace Signorini
         for (MeshFile::Nodes &face : group.faces)
           replace(face);
       }
+    // Numbers of merged nodes remain valid: they refer to the node that replaces theirs.
     for (auto &[instance, of_instance] : file.numbers)
       for (auto &[number, node] : of_instance)
         node = representatives[node];

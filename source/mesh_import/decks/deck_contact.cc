@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_import/decks/deck_reader.h"
+#include <signorini/parameters/raw.h>
+
+// The part of the reader for contact pairs.
+
+namespace Signorini
+{
+  // Ties become contact without separation, which constrains the normal direction only.
+  void
+  DeckReader::skip_tie()
+  {
+    skip_item("tied tangentially: the surfaces stay together, but slide freely");
+    model.lacks_supports = true;
+  }
+
+
+
+  // *SURFACE BEHAVIOR up to the next *SURFACE INTERACTION belongs to this interaction.
+  void
+  DeckReader::begin_interaction()
+  {
+    interaction = upper_case(in.value("NAME"));
+    model.interactions[interaction];
+  }
+
+
+
+  // PRESSURE-OVERCLOSURE: HARD, LINEAR with a stiffness, or TIED.
+  void
+  DeckReader::read_behaviour()
+  {
+    // The contact law of the scene is constant in time.
+    if (in_step)
+      {
+        skip_item("its change in a step");
+        return;
+      }
+    using Kind                   = DeckModel::Interaction::Kind;
+    const std::string       kind = upper_case(in.value("PRESSURE-OVERCLOSURE"));
+    DeckModel::Interaction &one  = model.interactions[interaction];
+    if (kind == "LINEAR" || kind == "TIED")
+      {
+        Words words;
+        one.kind = kind == "TIED" ? Kind::tied : Kind::linear;
+        if (in.next_line(words))
+          one.stiffness = number(words, 0);
+        if (kind == "LINEAR" && !(one.stiffness > 0))
+          in.fail("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR needs a positive slope");
+        if (kind == "TIED")
+          skip_tie();
+        return;
+      }
+    one.kind = Kind::hard;
+    if (!kind.empty() && kind != "HARD")
+      skip_item(kind + "; contact is hard");
+    // After first contact, such surfaces would stay together; before it they could move freely. The
+    // pairs of the program either may separate or never do.
+    if (in.has("NO SEPARATION"))
+      {
+        one.kind = Kind::tied;
+        skip_item("NO SEPARATION; the surfaces stay together from the beginning");
+      }
+  }
+
+
+
+  // Data lines: slave, master. Pairs with TIED get an interaction of their own, with a name that no
+  // file can contain.
+  // Whether the surfaces exist is not checked here.
+  void
+  DeckReader::read_pairs()
+  {
+    if (const std::string by = in.value("ADJUST"); !model.deck.nodes.find(by))
+      number({by}, 0); // or it fails
+    if (in.has("TIED"))
+      skip_tie();
+    for (Words words; in.next_line(words);)
+      if (words.size() < 2 || words[1].empty())
+        skip_item("of one surface with itself: " + words[0]);
+      else
+        model.pairs.push_back(
+          {words[0], words[1], in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION"))});
+    if (in.has("TIED"))
+      model.interactions["\"TIED"].kind = DeckModel::Interaction::Kind::tied;
+  }
+
+
+
+  // The gap of a pair at the start.
+  void
+  DeckReader::read_clearance()
+  {
+    model.clearances.push_back(
+      {in.value("SLAVE"), in.value("MASTER"), number({in.value("VALUE")}, 0)});
+    if (!in.has("VALUE"))
+      in.fail("*CLEARANCE needs VALUE=gap");
+  }
+} // namespace Signorini
