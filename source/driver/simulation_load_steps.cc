@@ -9,6 +9,8 @@
 
 namespace Signorini
 {
+  using namespace dealii;
+
   // The end of the load history in one step, which mostly converges; otherwise in steps from the
   // undeformed state. Collective.
   template <int dim>
