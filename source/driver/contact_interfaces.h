@@ -146,6 +146,9 @@ namespace Signorini
     skipped_items() const;
 
   private:
+    /// The accuracy of node positions in mesh files, relative to the size of the model.
+    static constexpr double touching = 1e-6;
+
     /// True if the reference gap of the pair depends on time.
     bool
     has_time_dependent_gap(const ContactPair<dim> &pair) const;
