@@ -14,43 +14,6 @@ namespace Signorini
 
   namespace
   {
-    /// Set the center and the orthonormal axes of the mean plane of a facet (2D: its line). In
-    /// space its normal is that of the cross product of the diagonals, which is the mean normal of
-    /// the bilinear facet.
-    template <int dim>
-    void
-    set_plane(Facet<dim> &facet)
-    {
-      const auto &x = facet.corners;
-      auto       &t = facet.axes;
-      if constexpr (dim == 2)
-        {
-          facet.center = (x[0] + x[1]) / 2.;
-          t[0]         = (x[1] - x[0]) / x[0].distance(x[1]);
-        }
-      else
-        {
-          facet.center          = (x[0] + x[1] + x[2] + x[3]) / 4.;
-          Tensor<1, dim> normal = cross_product_3d(x[3] - x[0], x[2] - x[1]);
-          normal /= normal.norm();
-          t[0] = x[1] - x[0];
-          t[0] -= (t[0] * normal) * normal;
-          t[0] /= t[0].norm();
-          t[1] = cross_product_3d(normal, t[0]);
-        }
-    }
-
-    /// The unit normal of the mean plane of a facet, oriented by its parameters.
-    template <int dim>
-    Tensor<1, dim>
-    normal(const Facet<dim> &facet)
-    {
-      if constexpr (dim == 2)
-        return cross_product_2d(facet.axes[0]);
-      else
-        return cross_product_3d(facet.axes[0], facet.axes[1]);
-    }
-
     template <int n>
     using Flat = std::array<Point<n>, (1 << n)>; // a facet in a plane
 
@@ -294,56 +257,7 @@ namespace Signorini
         xi[d] = std::clamp((facet.place[d] + s[d]) / per_line, 0., 1.);
       return xi;
     }
-  } // namespace
 
-
-
-  template <int dim>
-  FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
-    : patch(patch)
-  {
-    // A face of degree k is divided into k facets in each direction, between neighbouring nodes.
-    const unsigned int per_line = patch.get_degree(), n = Utilities::fixed_power<dim - 1>(per_line);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        Facet<dim> facet;
-        for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
-          facet.place[d] = rest % per_line;
-        for (unsigned int c = 0; c < facet.n_corners; ++c)
-          {
-            Point<dim - 1> xi;
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              xi[d] = double(facet.place[d] + ((c >> d) & 1)) / per_line;
-            facet.corners[c] = patch.position(xi);
-          }
-        set_plane(facet);
-        facets.push_back(facet);
-      }
-  }
-
-
-
-  template <int dim>
-  BoundingBox<dim>
-  FacetedFace<dim>::extruded_box(const double search_radius) const
-  {
-    // Extend the box of the face by the corners of the facets, displaced by the radius along their
-    // normals in both directions.
-    BoundingBox<dim> box = patch.box();
-    for (const Facet<dim> &facet : facets)
-      {
-        const Tensor<1, dim> step = search_radius * normal(facet);
-        for (const Point<dim> &corner : facet.corners)
-          for (const Point<dim> &x : {corner + step, corner - step})
-            box.merge_with(BoundingBox<dim>({x, x}));
-      }
-    return box;
-  }
-
-
-
-  namespace
-  {
     /// A facet of the slave and one of the master, projected onto the plane of the former.
     template <int dim>
     struct FacetPair
@@ -434,8 +348,6 @@ namespace Signorini
 
 
 
-  template struct FacetedFace<2>;
-  template struct FacetedFace<3>;
   template std::vector<SegmentEdgePoint<2>>
   segment_edge_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, unsigned int);
   template std::vector<SegmentEdgePoint<3>>
