@@ -102,9 +102,9 @@ namespace Signorini
 
 
 
-  template <int dim>
   // A constraint with entries couples a component of a node to others of the same node: the support
   // is not along an axis. Collective.
+  template <int dim>
   bool
   Displacements<dim>::find_inclined_supports() const
   {
@@ -153,9 +153,9 @@ namespace Signorini
 
 
 
-  template <int dim>
   // All constraints at time t: hanging nodes, supports of the present set with their values at t,
   // prescribed motions of rigid bodies. Prescribed rotations are multiplied by the length scale.
+  template <int dim>
   void
   Displacements<dim>::make_constraints(const double t)
   {

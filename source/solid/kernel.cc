@@ -225,8 +225,8 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<const Load<dim> *>
   // A load that names both a body and a set of its cells acts once.
+  std::vector<const Load<dim> *>
   LoadKernel<dim>::body_forces(const Cell &cell) const
   {
     std::vector<const Load<dim> *> result;

@@ -36,11 +36,11 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
   // The rows R_i of a point applied to a vector, in the order: directions . (u^S - u^M), with the
   // rigid rows of obstacles added; then for bodies the slopes of the master along of_master, and of
   // the slave along of_slave.
+  template <int dim>
+  void
   LoadedPoint<dim>::evaluate_rows(const double *u, std::vector<double> &R) const
   {
     const auto           element = [u](const std::size_t slot) { return u[slot]; };
@@ -75,9 +75,9 @@ namespace Signorini
 
 
 
+  // The transpose of evaluate_rows(): dst += sum_i s_i R_i.
   template <int dim>
   void
-  // The transpose of evaluate_rows(): dst += sum_i s_i R_i.
   LoadedPoint<dim>::add_rows(const std::vector<double> &s, double *dst) const
   {
     unsigned int   next = 0;

@@ -72,8 +72,8 @@ namespace Signorini
 
 
 
-  template <int dim>
   // Sums of the weights of contact points over the area of all slave faces, over all ranks.
+  template <int dim>
   double
   covered_share(const ContactSurface<dim> &surface, const MPI_Comm comm)
   {

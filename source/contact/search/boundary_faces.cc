@@ -111,8 +111,8 @@ namespace Signorini
     public:
       using Cell = typename Triangulation<dim>::active_cell_iterator;
 
-      void
       /// Add a face: each of its sides, with the halves that finer neighbours have.
+      void
       add(const Cell &cell, const unsigned int face)
       {
         for (unsigned int side = 0; side < 2 * (dim - 1); ++side)
