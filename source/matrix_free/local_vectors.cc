@@ -158,9 +158,9 @@ namespace Signorini
 
 
 
-  // The diagonal of C^T K C, as far as it comes from the diagonal of K.
-  // Products of two different entries of K would contribute as well, but are not known without a
-  // matrix. The result is used to scale smoothers, where an approximation suffices.
+  // The diagonal of C^T K C, as far as it comes from the diagonal of K. Products of two different
+  // entries of K would contribute as well where one degree of freedom determines several of a cell,
+  // but are not known without a matrix.
   template <typename Number>
   Number *
   LocalVectors<Number>::condense_diagonal() const

@@ -19,6 +19,7 @@ namespace Signorini
                          const Mesh<dim>      &mesh,
                          const Support<dim>   &support)
     {
+      // The last direction of a node that this support has visited already is its own.
       const auto hold = [&](ConstrainedNode<dim> &node) {
         if (!node.prescribed_directions.empty() &&
             node.prescribed_directions.back().support == &support)

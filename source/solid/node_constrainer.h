@@ -145,6 +145,7 @@ namespace Signorini
       dealii::Point<dim> x;
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = choice.point[d];
+      // Flags by body, which are reduced over the ranks, so that all of them throw or none.
       std::vector<unsigned int> found(mesh.n_bodies(), 0);
       double                    nearest = std::numeric_limits<double>::max();
       for (const auto &cell : dofs.active_cell_iterators())
@@ -201,6 +202,8 @@ namespace Signorini
         if (!cell->is_artificial() && cell->at_boundary())
           {
             bool near = false;
+            // Only cells that touch the axis have nodes there; the lowest radius of all vertices
+            // tells whether a body crosses it.
             for (const unsigned int v : cell->vertex_indices())
               {
                 near |= cell->vertex(v)[0] < on_axis;

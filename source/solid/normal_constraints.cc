@@ -59,6 +59,9 @@ namespace Signorini
     const bool along_normal = support.direction.norm() == 0;
     for (const std::string &boundary : support.boundaries)
       {
+        // The normals of a boundary are collected for the test of planes. A node that belongs to
+        // several boundaries of the support adds up the normals of all of them, unless they differ
+        // by an edge.
         std::vector<Tensor<1, dim>> normals;
         finder.on_boundary(mesh.boundary_ids(boundary),
                            along_normal,
