@@ -34,6 +34,8 @@ namespace Signorini
         return configuration.elasticity().mesh().body(cell) == body &&
                box.point_inside(cell->face(face)->center());
       };
+      // The faces are counted first, so that every n-th of them gives about the number that is
+      // wanted. Both loops visit cells in the same order.
       unsigned int n = 0, next = 0;
       for (const auto &cell : configuration.elasticity().dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
@@ -55,6 +57,7 @@ namespace Signorini
              const MonitoredSurfaces<dim> &watched,
              const MPI_Comm                comm)
   {
+    // Both searches below are collective: ranks without points take part with empty lists.
     const bool                       is_self = &a == &b;
     const std::vector<unsigned int>  asked   = in_box_of(a, b);
     std::vector<Point<dim>>          places;
@@ -118,10 +121,13 @@ namespace Signorini
     if (Utilities::MPI::sum(asked.size(), comm) == 0)
       return {};
     // Signed depths now and in the reference configuration.
-    const auto   ends    = b.box->get_boundary_points();
-    const double far     = ends.first.distance(ends.second);
-    const auto   now     = depths(places, b.masters(false), far, comm),
-               before    = depths(at_rest, b.reference_masters(), far, comm);
+    // The diagonal of the box is the farthest distance at which a point inside of the box may have
+    // its closest face.
+    const auto   ends = b.box->get_boundary_points();
+    const double far  = ends.first.distance(ends.second);
+    const auto   now  = depths(places, b.masters(false), far, comm),
+               before = depths(at_rest, b.reference_masters(), far, comm);
+    // Depths are positive inside, and not finite where no face was found.
     const auto is_inside = [](const double depth, const double least) {
       return depth >= least && std::isfinite(depth);
     };
@@ -166,7 +172,9 @@ namespace Signorini
                                     return mesh.body(cell) == b;
                                   });
     const BodySurface<dim>   outside(of_b, watched, {}, comm);
-    Overlap                  result = depth_inside(asking, outside, b, watched, comm);
+    // Against the whole surface of b, not only its candidates: a point deep inside has its closest
+    // faces far away.
+    Overlap result = depth_inside(asking, outside, b, watched, comm);
     // Bodies at the same position have the same surfaces: the centres of the cells behind the
     // faces are tested as well.
     for (unsigned int i = 0; i < asking.places.size(); ++i)

@@ -68,6 +68,9 @@ namespace Signorini
 
 
 
+  // Two passes: over the rows of the gap operator, which carry pressures and areas, and over the
+  // points of integration, which know faces and normals. Rows of other pairs are skipped. Sums of
+  // penetrations have the sign of a depth.
   template <int dim>
   ContactExtent
   contact_extent_of(const Snapshot<dim> &s, const unsigned int pair)
@@ -100,6 +103,8 @@ namespace Signorini
       double area    = 0;
       bool   touched = false;
     };
+    // A face with pressure at any of its points counts as touched; its whole area is compared with
+    // that of the active rows.
     std::map<unsigned int, Face> faces;
     for (std::size_t q = 0; q < values.pressure.size(); ++q)
       {
@@ -121,12 +126,14 @@ namespace Signorini
         }
     // Reduce over all ranks.
     const MPI_Comm comm = s.elasticity.mesh().communicator();
+    // Number of touched faces and areas are sums, since each face belongs to one rank.
     for (double *sum : {&extent.active,
                         &extent.candidates,
                         &extent.penetration,
                         &extent.touched_faces,
                         &extent.n_touched})
       *sum = Utilities::MPI::sum(*sum, comm);
+    // The integral of the penetration becomes its mean over the active area.
     if (extent.active > 0)
       extent.penetration /= extent.active;
     for (double *least : {&extent.smallest_reference_gap,
@@ -148,6 +155,8 @@ namespace Signorini
   ObstacleTip
   deepest_tip(const Obstacle<dim> &obstacle, const Snapshot<dim> &s, const std::string &surface)
   {
+    // Each face starts the descent at its Gauss points, so that two minima in one face are found.
+    // Faces farther away than their own diameter cannot penetrate between these points.
     const Configuration<dim> configuration(s.elasticity, s.displacement);
     const BoundaryFaces<dim> faces(configuration, surface);
     const RigidPose<dim>     pose   = configuration.pose(obstacle);
@@ -165,8 +174,9 @@ namespace Signorini
               depth > tip.depth)
             tip = {depth, face.diameter() / std::sqrt(dim - 1.)};
       }
-    const MPI_Comm comm  = s.elasticity.mesh().communicator();
-    const double   depth = Utilities::MPI::max(tip.depth, comm);
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    // The size is that of the face with the deepest point; ranks that have less contribute zero.
+    const double depth = Utilities::MPI::max(tip.depth, comm);
     return {depth, Utilities::MPI::max(tip.depth == depth ? tip.face : 0., comm)};
   }
 

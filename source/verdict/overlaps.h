@@ -102,7 +102,9 @@ namespace Signorini
           const auto &[cell, face] = faces.faces[i];
           kinds.push_back(watched.kind(cell, face));
           const FacePatch<dim> &patch = faces.patches[i];
-          deepest                     = std::max(deepest, faces.depth(i));
+          // The deepest cell of the body limits the range of the search; it is taken of all faces,
+          // also of those without points.
+          deepest = std::max(deepest, faces.depth(i));
           if (near && !near->may_penetrate(cell, face))
             continue;
           for (const dealii::Point<dim - 1> &xi : inner.get_points())

@@ -13,6 +13,7 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // The value NaN is not below any limit, so that it gives a warning.
   CheckResult
   make_check_result(const std::string &check,
                     const std::string &pair,
@@ -37,6 +38,7 @@ namespace Signorini
   namespace
   {
     /// Check that a pair touches in any load step.
+    /// A pair that touches in one load step is in order, so that the best step is reported.
     CheckResult
     check_pair_active(const std::string &name, const ContactExtent &extent)
     {
@@ -61,6 +63,7 @@ namespace Signorini
                                          const ObstacleTip   &tip,
                                          const double         facets)
     {
+      // Depths up to the height of facets are no penetration of the true surfaces.
       const double depth        = std::max(0., tip.depth - facets);
       CheckResult  check_result = make_check_result(
         "penetration without pressure / face size",
@@ -71,6 +74,8 @@ namespace Signorini
           " within faces that carry no pressure, because the slave mesh does not resolve the master",
         "refine the slave, or exchange Slave and Master");
       check_result.aggregation = CheckResult::Aggregation::last;
+      // Without any pressure the solution lacks the contact altogether: this is no question of
+      // accuracy.
       if (check_result.outcome == Outcome::warned)
         check_result.outcome = Outcome::failed;
       return check_result;
@@ -120,8 +125,9 @@ namespace Signorini
     {
       const FacetHeight slave  = s.elasticity.mesh().facet_height(s.pairs[pair].slave),
                         master = s.elasticity.mesh().facet_height(s.pairs[pair].master);
-      FacetHeight  steeper     = slave.slope() > master.slope() ? slave : master;
-      const double height      = steeper.height;
+      // The surface whose facets are steeper perturbs the gap more.
+      FacetHeight  steeper = slave.slope() > master.slope() ? slave : master;
+      const double height  = steeper.height;
       // Matching facets have no gaps between them.
       if (std::min(slave.height, master.height) > 0)
         steeper.height =
@@ -139,6 +145,8 @@ namespace Signorini
 
     /// Check the rounding error of the pressure, for methods whose pressure is the gap times a
     /// stiffness.
+    /// Displacements have a relative error of about 1e-16 in double precision. Multiplied by the
+    /// penalty it is an error of the pressure.
     template <int dim>
     CheckResult
     check_penalty_roundoff(const Snapshot<dim> &s,
@@ -169,8 +177,9 @@ namespace Signorini
       double strain = 0;
       for (const Extremes &body : extremes)
         strain = std::max(strain, body.gradient);
-      const bool   is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
-      const double width    = is_plane ? extent.active : std::sqrt(extent.active);
+      const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      // The contact area is a length in plane models; otherwise its root is taken as the width.
+      const double width = is_plane ? extent.active : std::sqrt(extent.active);
       return make_check_result(
         "penetration / deformation",
         s.pairs[pair].name,
@@ -199,6 +208,9 @@ namespace Signorini
       check_result.limit       = few;
       if (extent.n_touched == 0)
         return check_result;
+      // The active area in units of the mean area of a touched face. In space the diameter of the
+      // disc of that area counts, in the plane the length. Quadratic elements have two nodes for
+      // each face.
       const double faces  = extent.active / (extent.touched_faces / extent.n_touched);
       const double across = dim == 2 ? faces : std::sqrt(faces * 4 / numbers::PI);
       check_result.value  = degree * across;
@@ -220,6 +232,7 @@ namespace Signorini
     CheckResult
     check_partial_contact(const std::string &name, const ContactExtent &extent)
     {
+      // Of a few faces most are at an edge of the contact area, so that the share says nothing.
       constexpr unsigned int few = 4; // for fewer faces see check_contact_resolution()
       CheckResult            check_result;
       check_result.check       = "contact area / area of contact faces";
@@ -251,6 +264,8 @@ namespace Signorini
     std::vector<CheckResult>  check_results;
     const std::vector<double> displacements =
       largest_displacements(now.elasticity, now.displacement);
+    // All calls that communicate are made for each pair on all ranks alike, since their conditions
+    // are reduced values.
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
       {
         const ContactPair<dim>    &pair     = now.pairs[i];
@@ -266,6 +281,7 @@ namespace Signorini
             tip = deepest;
         if (!pair.found)
           check_results.push_back(check_pair_active(pair.name, extent));
+        // While an initial overlap is applied gradually, part of it is penetration on purpose.
         if (pair.can_separate && pair.interference.value({}, now.time) == 1)
           check_results.push_back(check_missed_penetration_of_obstacle(
             pair.name,
@@ -276,6 +292,7 @@ namespace Signorini
         if (extent.active == 0 ||
             !is_significant(results["pairs"][pair.name]["normal_force"], scale))
           continue;
+        // Updated contact geometry has no restriction on sliding.
         if (now.contact.at_rest())
           check_results.push_back(check_small_sliding(now, pair, obstacle, displacements));
         check_results.push_back(

@@ -18,6 +18,9 @@ namespace Signorini
       constexpr double off = 0.3;
       LA::Vector       all = contact.zero(), rest = all, offset = all, distance = all;
       all = 1.;
+      // Coordinates are shifted by their mean, since squares of large coordinates would cancel
+      // below. By component: the square of the offset of the mean, and the mean square distance of
+      // the neighbours, E(y^2) - 2 x E(y) + x^2.
       for (LA::Vector x : contact.geometry.position)
         {
           x.add(-x.mean_value());
@@ -58,6 +61,7 @@ namespace Signorini
                              const unsigned int   pair,
                              const ContactExtent &extent)
   {
+    // The factor l^2 r of the comment above: 4 along a line, 16/27 on a surface.
     constexpr double scale = dim == 2 ? 4. : 16. / 27, little = 0.02, few = 5, rounding = 1e-9;
     const bool       counts_at_all =
       extent.pressure >
@@ -79,6 +83,8 @@ namespace Signorini
     active.compress(VectorOperation::insert);
     // The excess z of each node, and the product -z z_neighbours in the mean; nodes at the edge
     // of the surface are excluded.
+    // means_of_neighbours() sets `inner` to 1 where all neighbours are active, and after the next
+    // line also inside of the surface.
     LA::Vector more = contact.origin.regions.means_of_neighbours(active, s.pressure, inner);
     inner.scale(within_surface(contact));
     more.sadd(-1, 1, s.pressure);
@@ -88,6 +94,8 @@ namespace Signorini
       turns(i) *= -more(i);
     turns.compress(VectorOperation::insert);
     // The same product at the neighbours, which must alternate as well.
+    // It tells isolated changes of sign, as at the end of a steep pressure, from an oscillation
+    // that goes on.
     const LA::Vector around = contact.origin.regions.means_of_neighbours(innermost, turns, ignored);
     const double     most   = scale * std::pow(little * extent.pressure, 2);
     double           is_significant[] = {0, 0};

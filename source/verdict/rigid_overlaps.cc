@@ -58,6 +58,7 @@ namespace Signorini
              const bool                    belongs,
              const MonitoredSurfaces<dim> &watched)
   {
+    // The obstacle moves as well, so that the start is evaluated with its pose at rest.
     const Configuration<dim> at_rest(configuration.elasticity());
     const RigidPose<dim>     pose = configuration.pose(obstacle), rest = at_rest.pose(obstacle);
     const double             length = configuration.elasticity().rotation_length_scale();
@@ -101,6 +102,8 @@ namespace Signorini
       });
     };
     const auto closest = [&](const unsigned int i) -> std::optional<ObstaclePoint<dim>> {
+      // The normal points out of the body, into its mirror image: the gap is positive in front of
+      // the plane, and the normal of the obstacle that the plane stands for is the opposite one.
       const double gap = (plane.center - a.places[i]) * plane.normal;
       if (gap >= 0 || is_held(i))
         return {};

@@ -21,7 +21,8 @@ namespace Signorini
                   const MonitoredSurfaces<dim>                    &watched,
                   const std::optional<PenetrationCandidates<dim>> &near)
     {
-      const Mesh<dim>              &mesh = configuration.elasticity().mesh();
+      const Mesh<dim> &mesh = configuration.elasticity().mesh();
+      // All faces are moved to the current configuration once, and then divided by bodies.
       const BoundaryFaces<dim>      all(configuration,
                                    [&](const CellIterator<dim> &cell, const unsigned int face) {
                                      return !near || near->counts(cell, face);
@@ -42,6 +43,8 @@ namespace Signorini
     largest_of(const Overlap &own, const MPI_Comm comm)
     {
       Overlap largest;
+      // Ranks are compared in their order by the same rule as overlaps on one rank, so that all of
+      // them get the same result.
       for (const Overlap &of_rank : Utilities::MPI::all_gather(comm, own))
         largest.take(of_rank);
       return largest;

@@ -29,6 +29,8 @@ namespace Signorini
 
 
 
+  // Only this product has to be computed again in a load step with other temperatures: the mesh,
+  // and with it S_thermal, are the same.
   void
   GapOperator::set_temperature_change(const LA::Vector &temperature_change)
   {
@@ -43,6 +45,7 @@ namespace Signorini
   LA::Vector
   GapOperator::gap(const LA::Vector &u) const
   {
+    // Without any points on all ranks the matrix has no rows and was not set up.
     LA::Vector g = zero();
     if (!empty())
       B.vmult(g, u);
@@ -66,6 +69,7 @@ namespace Signorini
 
 
 
+  // The normal gap, then one slip for each tangent (equation 3.13), all in the same units.
   PointVectors
   GapOperator::gaps(const LA::Vector &u) const
   {
@@ -81,6 +85,7 @@ namespace Signorini
 
 
 
+  // A rank without points contributes zero.
   unsigned int
   GapOperator::n_pairs() const
   {
@@ -120,6 +125,8 @@ namespace Signorini
       return result;
     LA::Vector term;
     term.reinit(result);
+    // The first product overwrites the result, which saves a vector; the others are added. W is
+    // applied to the tractions first, since they are short vectors over the surface.
     for (unsigned int a = 0; a < p.size(); ++a)
       {
         LA::Vector weighted = p[a];
@@ -161,6 +168,8 @@ namespace Signorini
 
 
 
+  // Forces for the residual of Newton's method: constrained degrees of freedom have none, and those
+  // of inclined supports are handed to the components that they depend on.
   LA::Vector
   GapOperator::force(const PointVectors &p, const LA::Vector &s) const
   {
@@ -169,6 +178,8 @@ namespace Signorini
 
 
 
+  // Forces as they act on all nodes, from which reactions of supports and the resultants of pairs
+  // are computed.
   LA::Vector
   GapOperator::total_force(const PointVectors &p, const LA::Vector &s) const
   {
@@ -190,6 +201,7 @@ namespace Signorini
 
 
 
+  // G has the sign of a force, and the tangent that of a stiffness: K - G.
   void
   GapOperator::subtract_geometric(LA::Vector &dst, const LA::Vector &v) const
   {
@@ -218,6 +230,7 @@ namespace Signorini
     for (const auto *more : {&tangential.B, &tangential.B_free})
       for (const LA::SparseMatrix &matrix : *more)
         matrices.push_back(&matrix);
+    // Matrices that the method does not need are empty and were never set up.
     for (const LA::SparseMatrix *matrix : matrices)
       if (matrix->m() > 0)
         bytes += LA::memory_consumption(*matrix);

@@ -47,6 +47,8 @@ namespace Signorini
           LA::SparseMatrix &B = tangential.B.emplace_back();
           B.reinit(pattern);
           for (const FaceMatrix &matrix : matrices)
+            // All components have the columns of the normal gap, so that solvers combine them entry
+            // by entry.
             B.add(matrix.rows, matrix.columns, matrix.slip[a]);
           B.compress(VectorOperation::add);
           for (const auto row : rows.owned)
@@ -134,6 +136,7 @@ namespace Signorini
       contact.coefficients.stiffness.reinit(contact.weight);
       contact.coefficients.bilateral.reinit(contact.weight);
       contact.coefficients.epsilon.reinit(contact.weight);
+      // Moments have one component in the plane and three in space.
       contact.geometry.position.assign(dim, contact.zero());
       contact.geometry.normal.assign(dim, contact.zero());
       contact.geometry.moment.assign(n_moments, contact.zero());
@@ -190,6 +193,7 @@ namespace Signorini
       for (const auto i : contact.weight.locally_owned_elements())
         rows_of.emplace(*row++, i);
 
+      // Several cells around a node write the same position; inserting it twice does no harm.
       CellNodes<dim> nodes_of(elasticity.mesh(), elasticity.finite_elements());
       std::vector<types::global_dof_index> indices;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
@@ -216,6 +220,7 @@ namespace Signorini
     normalise(GapOperator &contact)
     {
       contact.weight.compress(VectorOperation::add);
+      // Nodes whose area is rounding have no row (contact_rows.cc), and cause no division by zero.
       LA::Vector inverse = contact.zero();
       for (const auto i : inverse.locally_owned_elements())
         inverse(i) = 1 / contact.weight(i);
@@ -303,6 +308,8 @@ namespace Signorini
     LA::Vector free = elasticity.zero_vector();
     free            = 1.;
     elasticity.constraints().set_zero(free);
+    // Copies share the sparsity pattern: columns of prescribed displacements are set to zero, not
+    // removed.
     contact.B_free.copy_from(contact.B);
     LA::scale_columns(contact.B_free, free);
     for (const LA::SparseMatrix &B : contact.tangential.B)
@@ -316,6 +323,7 @@ namespace Signorini
         contact.S_free.copy_from(contact.S);
         LA::scale_columns(contact.S_free, free);
       }
+    // Overlaps count in full until the load step sets other shares.
     contact.set_interference(std::vector<double>(surfaces.size(), 1.));
     contact.has_condensed_constraints = elasticity.has_inclined_supports();
     if (contact.has_condensed_constraints)

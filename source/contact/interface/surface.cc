@@ -44,6 +44,8 @@ namespace Signorini
         point.weight /= 2;
       for (auto &entry : surface.full_face_shapes)
         entry.second /= 2;
+      // The list gets an entry for each face of this side, so that the numbers of the other side
+      // begin after them.
       surface.slave_faces.resize(surface.faces);
       surface.slave_faces.insert(surface.slave_faces.end(),
                                  other.slave_faces.begin(),

@@ -54,6 +54,7 @@ namespace Signorini
 
 
 
+  // All lists are reduced alike, so that the numbers of faces stay consistent.
   template <int dim>
   BoundaryFaces<dim>
   BoundaryFaces<dim>::among(const std::vector<bool> &chosen) const
@@ -73,6 +74,7 @@ namespace Signorini
 
 
 
+  // The size h of the cell normal to its face [length].
   template <int dim>
   double
   BoundaryFaces<dim>::depth(const unsigned int i) const

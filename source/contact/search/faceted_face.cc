@@ -58,6 +58,7 @@ namespace Signorini
     for (unsigned int i = 0; i < n; ++i)
       {
         Facet<dim> facet;
+        // Facets are numbered lexicographically, with the first parameter running fastest.
         for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
           facet.place[d] = rest % per_line;
         for (unsigned int c = 0; c < facet.n_corners; ++c)

@@ -19,6 +19,9 @@ namespace Signorini
 
     /// The corners of a facet projected along the normal of another one, in the coordinates of its
     /// plane.
+    /// In the coordinates of the plane along its axes, with the centre of the facet as origin: all
+    /// further computations are with differences of nearby points, also far from the origin of the
+    /// model.
     template <int dim>
     Flat<dim - 1>
     project(const Facet<dim> &facet, const Facet<dim> &plane)
@@ -45,7 +48,9 @@ namespace Signorini
         }
       else
         {
-          s                       = Point<n>(0.5, 0.5);
+          s = Point<n>(0.5, 0.5);
+          // x(s) = x0 + s0 edge + s1 other + s0 s1 warp. The Jacobian matrix has the columns a and
+          // b; its inverse is written by Cramer's rule.
           const Tensor<1, n> edge = x[1] - x[0], other = x[2] - x[0],
                              warp = (x[3] - x[2]) - (x[1] - x[0]);
           for (unsigned int step = 0; step < 30; ++step)
@@ -87,6 +92,8 @@ namespace Signorini
     signed_area(const Polygon &p)
     {
       double area = 0;
+      // The sum over the triangles of the first corner and each side; with corners relative to the
+      // first one nothing cancels far from the origin.
       for (std::size_t i = 0; i + 1 < p.size(); ++i)
         area += cross(p[i].x - p[0].x, p[i + 1].x - p[0].x) / 2;
       return area;
@@ -97,6 +104,9 @@ namespace Signorini
     Polygon
     counterclockwise(const Flat<2> &x)
     {
+      // Around the facet: from corner 0 along the side s1 = 0 (number 2), then s0 = 1 (1), s1 = 1
+      // (3) and s0 = 0 (0). A facet that is seen from its other side has a clockwise projection,
+      // and its order is reversed.
       Polygon p = {{x[0], 2}, {x[1], 1}, {x[3], 3}, {x[2], 0}};
       if (signed_area(p) < 0)
         p = {{x[2], 3}, {x[3], 1}, {x[1], 2}, {x[0], 0}};
@@ -120,6 +130,8 @@ namespace Signorini
               const auto &[a, side]  = polygon[j];
               const Point<2> &b      = polygon[(j + 1) % polygon.size()].x;
               const double    left_a = cross(edge, a - start), left_b = cross(edge, b - start);
+              // A corner on the edge itself is kept. If the polygon leaves the window there, the
+              // side that begins at it is part of the window from now on.
               if (left_a >= 0)
                 kept.push_back({a, left_a == 0 && left_b < 0 ? none : side});
               if ((left_a > 0 && left_b < 0) || (left_a < 0 && left_b > 0))
@@ -135,6 +147,8 @@ namespace Signorini
     std::vector<std::array<Point<1>, 2>>
     intersection(const Flat<1> &a, const Flat<1> &b)
     {
+      // The interval of one facet in the line of the other, whatever the direction of its parameter
+      // is.
       const double lower = std::max(std::min(a[0][0], a[1][0]), std::min(b[0][0], b[1][0])),
                    upper = std::min(std::max(a[0][0], a[1][0]), std::max(b[0][0], b[1][0]));
       if (lower >= upper)
@@ -186,6 +200,8 @@ namespace Signorini
       const auto [lower, upper] = std::minmax(a[0][0], a[1][0]);
       std::vector<Piece<1>> pieces;
       for (unsigned int c = 0; c < 2; ++c)
+        // In the plane the sides of a facet are its two ends; the outward direction is away from
+        // the other end.
         if (b[c][0] >= lower && b[c][0] <= upper)
           pieces.push_back({{{b[c], 1.}}, Tensor<1, 1>({b[c][0] > b[1 - c][0] ? 1. : -1.}), c});
       return pieces;
@@ -201,6 +217,7 @@ namespace Signorini
       std::vector<Piece<2>> pieces;
       for (std::size_t i = 0; i < p.size(); ++i)
         {
+          // The polygon is counterclockwise, so that its outside is to the right of each side.
           const Tensor<1, 2> along  = p[(i + 1) % p.size()].x - p[i].x;
           const double       length = along.norm();
           if (p[i].side == none || length == 0)
