@@ -17,6 +17,8 @@ namespace Signorini
     section.add("Master",
                 master,
                 "BODY.BOUNDARY, or the name of an obstacle; the same as Slave for self-contact");
+    // Former names of keys and choices are accepted for one release, with a note that names the new
+    // ones.
     section.rename_key("Sides", "Slave choice");
     section.add_choice(
       "Slave choice",
@@ -72,6 +74,8 @@ namespace Signorini
     if (gap_is_given() && closes_below >= 0)
       section.fail("Closure tolerance",
                    "applies to Initial gap = from geometry only; remove Initial gap or this key");
+    // The formula is compiled once for its errors, so that they are reported with the key and not
+    // in the middle of a search.
     if (gap_is_given() && initial_gap.text != "closed")
       try
         {
@@ -96,6 +100,8 @@ namespace Signorini
 
 
 
+  // Slave and master change their roles; `exchanged` remembers it for results, whose signs refer to
+  // the names in the scene.
   template <int dim>
   void
   ContactPair<dim>::exchange()

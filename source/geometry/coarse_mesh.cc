@@ -69,6 +69,9 @@ namespace Signorini
     else
       check_names(mesh.faces.boundary_quads, mesh.n_boundary_ids());
 
+    // Ids of the triangulation may have gaps; the clones of its manifolds are stored once for each
+    // id that occurs, in the order of occurrence. The flat manifold keeps its special id and needs
+    // no object.
     std::map<types::manifold_id, types::manifold_id> new_ids{
       {numbers::flat_manifold_id, numbers::flat_manifold_id}};
     mesh.map_manifold_ids([&](const types::manifold_id id) {
@@ -86,6 +89,8 @@ namespace Signorini
   std::set<types::boundary_id>
   CoarseMesh<dim>::ids_of(const unsigned int name) const
   {
+    // Without a table each name has the id of its number. With one, an id is a set of faces that
+    // all names in its row have in common, so that names may overlap.
     if (names_of_ids.empty())
       return {name};
     std::set<types::boundary_id> ids;

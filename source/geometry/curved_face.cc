@@ -8,6 +8,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // A straight line: with both tangents equal to the chord, the cubic terms cancel and the
+  // parameter is proportional to the arc length.
   template <int dim>
   CubicCurve<dim>::CubicCurve(const Point<dim> &from, const Point<dim> &to)
     : from(from)
@@ -37,6 +39,9 @@ namespace Signorini
 
 
 
+  // The Hermite interpolant: both end points with their weights t^2 (3 - 2 t) and the rest to one,
+  // and both tangents with s^2 t and - s t^2, where s = 1 - t. The derivative below is that of the
+  // same four polynomials.
   template <int dim>
   Point<dim>
   CubicCurve<dim>::value(const double t) const
@@ -70,6 +75,8 @@ namespace Signorini
         const double   x = xi[0], y = xi[1];
         Tensor<1, dim> result = (1 - x) * edges[0].value(y) + x * edges[1].value(y) +
                                 (1 - y) * edges[2].value(x) + y * edges[3].value(x);
+        // The corners are in both interpolations, so that one of the two is subtracted. They are
+        // the ends of the edges 2 and 3, whose parameter is x.
         for (const unsigned int i : {0, 1})
           result -= (1 - y) * (i == 0 ? 1 - x : x) * edges[2].value(i) +
                     y * (i == 0 ? 1 - x : x) * edges[3].value(i);
@@ -113,6 +120,8 @@ namespace Signorini
   {
     // Gauss-Newton from the nearest of some sample points, which is close since the face bends
     // little; parameters are limited to a range beyond the face.
+    // The samples make the start unique; from the middle of the face alone, the iteration could end
+    // at a point on the far side of a strongly curved face.
     constexpr unsigned int n = 5;
     Point<dim - 1>         xi;
     double                 least = std::numeric_limits<double>::max();
@@ -127,6 +136,9 @@ namespace Signorini
             xi    = there;
           }
       }
+    // Gauss-Newton omits the second derivatives times the distance, which vanishes for points on
+    // the face: convergence there is quadratic. It ends if the parameters change by rounding only,
+    // or if the step is not a number, which the negated comparison detects too.
     for (unsigned int step = 0; step < 30; ++step)
       {
         const Tensor<1, dim>                  rest = x - push_forward(xi);

@@ -21,6 +21,8 @@ namespace Signorini
     unsigned int
     lattice_point(const unsigned int node)
     {
+      // Elements list the corners first, counterclockwise, then the middles of the edges, of the
+      // faces, and the centre; the tables give the place of each of them in the lattice.
       if (dim == 2)
         return std::array<unsigned int, 9>{{0, 2, 8, 6, 1, 5, 7, 3, 4}}[node];
       return std::array<unsigned int, 27>{{0,  2,  8, 6,  18, 20, 26, 24, 1,  5,  7, 3,  19, 23,
@@ -80,6 +82,9 @@ namespace Signorini
     Point<dim>
     filled(const std::vector<Point<dim>> &points, const unsigned int a, const bool by_edges)
     {
+      // Serendipity functions at the middle of a face: half of its four edges minus a quarter of
+      // its four corners; at the centre of a hexahedron: a quarter of its twelve edges minus a
+      // quarter of its eight corners. The factors of each add up to one.
       Point<dim>         sum;
       const unsigned int n_points = points.size(), m = n_middles<dim>(a);
       for (unsigned int b = 0; b < n_points; ++b)
@@ -117,17 +122,22 @@ namespace Signorini
     : points(Utilities::pow(3, dim))
     , size(0)
   {
+    // The nodes of the file go to their places in the lattice. The largest distance from the first
+    // node is the length to which the tolerances of this class are relative.
     for (unsigned int node = 0; node < nodes.size(); ++node)
       {
         points[lattice_point<dim>(node)] = nodes[node];
         size                             = std::max(size, nodes[node].distance(nodes[0]));
       }
+    // Serendipity elements (8 or 20 nodes) lack the middles of faces and the centre. These follow
+    // from corners and edges, so that the complete quadratic map is the one of the file.
     for (unsigned int node = nodes.size(); node < points.size(); ++node)
       points[lattice_point<dim>(node)] = filled(points, lattice_point<dim>(node), true);
   }
 
 
 
+  // The sum of all lattice points, each with the product of its polynomials along the directions.
   template <int dim>
   Point<dim>
   QuadraticMap<dim>::value(const Point<dim> &xi) const
@@ -215,6 +225,8 @@ namespace Signorini
         xi += factor * direction;
         residual = next;
       }
+    // A residual that the iteration could not reduce is an error, unless it is the rounding of
+    // coordinates far from the origin: x itself has only 16 digits there.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * x.norm();
     if (residual.norm() > 1e-10 * size + rounding)
       {
@@ -228,6 +240,8 @@ namespace Signorini
 
 
 
+  // The middles of edges and faces, and the centre, are compared with the means of the corners
+  // around them. Files have few digits, hence the tolerance of 1e-8 of the size of the cell.
   template <int dim>
   bool
   QuadraticMap<dim>::is_multilinear() const
@@ -244,6 +258,9 @@ namespace Signorini
   bool
   QuadraticMap<dim>::is_invertible() const
   {
+    // The determinant of the gradient must have the same sign at all samples. A zero counts as both
+    // signs. Samples between the nodes are necessary because the determinant of a quadratic map may
+    // be positive at all nodes and negative between them.
     constexpr unsigned int n        = 5; // a direction: the nodes, and one between each two
     bool                   positive = false, negative = false;
     for (unsigned int p = 0; p < Utilities::pow(n, dim); ++p)

@@ -49,6 +49,9 @@ namespace Signorini
   typename RoundManifold<dim>::Scaled
   RoundManifold<dim>::scaled(const Points &points) const
   {
+    // Coordinates relative to the centre are divided by a power of two, which is exact: the
+    // manifolds of deal.II treat points that are closer than 1e-10 as equal, whatever the unit of
+    // length is.
     Scaled result;
     double farthest = 0;
     for (const Point<dim> &x : points)
@@ -64,6 +67,7 @@ namespace Signorini
 
 
 
+  // The inverse of scaled(), for one point.
   template <int dim>
   Point<dim>
   RoundManifold<dim>::in_space(const Point<dim> &point, const double unit) const
@@ -73,6 +77,8 @@ namespace Signorini
 
 
 
+  // The following functions scale their points, ask the manifold of deal.II around the origin, and
+  // scale the answer back.
   template <int dim>
   Point<dim>
   RoundManifold<dim>::get_intermediate_point(const Point<dim> &p1,
@@ -111,6 +117,7 @@ namespace Signorini
 
 
 
+  // A tangent is a difference of points: it is scaled back, but not moved to the centre.
   template <int dim>
   Tensor<1, dim>
   RoundManifold<dim>::get_tangent_vector(const Point<dim> &x1, const Point<dim> &x2) const

@@ -15,10 +15,12 @@ namespace Signorini
     {
       constexpr double   rounding = 1e-10; // of the cell's size
       const unsigned int n        = degree + 1;
-      const double      *far[3]   = {points + 3 * degree,
-                                     points + 3 * degree * n,
-                                     points + 3 * degree * n * n};
-      double             size     = 0;
+      // The ends of the three edges at the first node span the affine map. All nodes, also the
+      // inner ones of degree 2, must be where it maps their lattice points.
+      const double *far[3] = {points + 3 * degree,
+                              points + 3 * degree * n,
+                              points + 3 * degree * n * n};
+      double        size   = 0;
       for (const double *corner : far)
         for (unsigned int c = 0; c < 3; ++c)
           size = std::max(size, std::abs(corner[c] - points[c]));
@@ -66,6 +68,8 @@ namespace Signorini
           order.push_back(order.back());
           is_real.push_back(false);
         }
+      // A vector register has one cell in each lane. Without copies in the last batch, kernels
+      // would need a special case for its empty lanes.
       return order.size() / width;
     };
     n_affine  = append(true);

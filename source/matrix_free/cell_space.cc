@@ -27,6 +27,9 @@ namespace Signorini
     std::vector<unsigned int>
     lexicographic_nodes(const FiniteElement<dim> &fe)
     {
+      // deal.II numbers the nodes of a cell by vertices, lines, quads and interior; kernels use
+      // tensor products and need them line by line. Kernels access a node by its first degree of
+      // freedom only, therefore its components have to be consecutive.
       const auto               &scalar = dynamic_cast<const FE_Q<dim> &>(fe.base_element(0));
       std::vector<unsigned int> result;
       for (const unsigned int node : scalar.get_poly_space_numbering_inverse())
@@ -70,6 +73,8 @@ namespace Signorini
     void
     add_materials(const Elasticity<dim> &elasticity, const unsigned int element, KernelCells &cells)
     {
+      // The lattice points of the mapping, in lexicographic order as the nodes. FE_Nothing: no
+      // shape functions are needed, positions only.
       const QIterated<dim>  lattice(QTrapezoid<1>(), cells.degree);
       const FE_Nothing<dim> nothing;
       FEValues<dim> places(elasticity.mesh().mapping(), nothing, lattice, update_quadrature_points);
@@ -94,6 +99,7 @@ namespace Signorini
     space.comm           = elasticity.mesh().communicator();
     space.diagonal_terms = elasticity.diagonal_terms();
     space.constraints.copy_from(elasticity.constraints());
+    // One group of cells for each element, since a kernel is compiled for one degree.
     for (unsigned int e = 0; e < elasticity.finite_elements().size(); ++e)
       space.cells.push_back(cells_of(elasticity, e));
     return space;
@@ -169,6 +175,8 @@ namespace Signorini
     // Add the element matrices, with their constraints condensed.
     for (const KernelCells &cells : space.cells)
       {
+        // The matrices of all cells of a degree come from products of the kernel with unit vectors,
+        // 24 or 81 products altogether, whatever the number of cells is.
         std::vector<unsigned int> all(cells.size());
         std::iota(all.begin(), all.end(), 0);
         const CellMatrices matrices(cells, all);

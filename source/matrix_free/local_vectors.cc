@@ -15,6 +15,9 @@ namespace Signorini
     std::vector<types::global_dof_index>
     dofs_of(const std::vector<const std::vector<std::uint32_t> *> &lists, const IndexSet &owned)
     {
+      // Nodes of this rank are marked in an array, which is cheaper than sorting; those of other
+      // ranks are few and are sorted. The names of nodes are their first degrees of freedom, so
+      // that the other two components follow.
       const LA::OwnRange                   own(owned);
       std::vector<bool>                    is_there(own.size(), false);
       std::vector<types::global_dof_index> nodes, result;
@@ -52,6 +55,8 @@ namespace Signorini
           note(dof);
           if (const auto *line = constraints.get_constraint_entries(dof))
             for (const auto &entry : *line)
+              // A constrained value is computed on each rank that has it, from the values that it
+              // depends on, so that these must be known there as well.
               note(entry.first);
         }
       std::sort(ghosts.begin(), ghosts.end());
@@ -76,6 +81,7 @@ namespace Signorini
     exchange = std::make_unique<LA::GhostExchange<Number>>(owned,
                                                            ghosts_of(owned, touched, constraints),
                                                            comm);
+    // Lines are sorted by local index, so that vectors are accessed in the order of memory.
     std::vector<std::pair<std::uint32_t, types::global_dof_index>> lines;
     for (const auto dof : touched)
       if (constraints.is_constrained(dof))
@@ -143,6 +149,8 @@ namespace Signorini
       {
         for (std::uint32_t e = first[k]; e < first[k + 1]; ++e)
           f[elements[e]] += weights[e] * f[constrained[k]];
+        // Products are zero at constrained degrees of freedom; the operator adds its own terms
+        // there.
         f[constrained[k]] = 0;
       }
     return sum();
@@ -150,7 +158,9 @@ namespace Signorini
 
 
 
-  // The diagonal of C^T K C, as far as it comes from the diagonal of K.
+  // The diagonal of C^T K C, as far as it comes from the diagonal of K. Products of two different
+  // entries of K would contribute as well where one degree of freedom determines several of a cell,
+  // but are not known without a matrix.
   template <typename Number>
   Number *
   LocalVectors<Number>::condense_diagonal() const
@@ -163,6 +173,7 @@ namespace Signorini
 
 
 
+  // Contributions to ghosts are added on their owners. Collective.
   template <typename Number>
   Number *
   LocalVectors<Number>::sum() const
@@ -173,6 +184,7 @@ namespace Signorini
 
 
 
+  // The owner of a value takes the largest of its own and those of the ghosts. Collective.
   template <typename Number>
   Number *
   LocalVectors<Number>::largest() const

@@ -77,6 +77,8 @@ namespace Signorini
       HWY_INLINE void
       apply(const std::size_t b, Values &u) const
       {
+        // To coefficients in Legendre polynomials, the contribution of each polynomial of the
+        // gradient, and back by the transposed transformation.
         Modes modes{u, {}, batches.tangent(b, 0)};
         Lattice::to_all_modes(u);
         Lattice::set_zero(modes.f);
@@ -96,7 +98,10 @@ namespace Signorini
                                    Lattice::mode_stride(1),
                                    Lattice::mode_stride(2)};
         const V       weight    = all(Lattice::mode_weight(T));
-        V             G[9];
+        // The nine coefficients of du_c/dxi_d along L_T: the derivative in direction d of the
+        // polynomial that has one degree more in that direction. Polynomials of the highest degree
+        // have no such neighbour; the coefficient is zero, and is skipped here and below.
+        V G[9];
         for (int c = 0; c < 3; ++c)
           for (int d = 0; d < 3; ++d)
             if (i[d] < degree)
@@ -108,6 +113,9 @@ namespace Signorini
               {
                 V sum = hn::Zero(Tag<Number>());
                 for (int m = 0; m < 9; ++m)
+                  // The stress of component (c, d) is the row 3 c + d of the mean tangent times the
+                  // gradient. It is tested by the same derivative, so that the matrix of the cell
+                  // is symmetric.
                   if (i[m % 3] < degree)
                     sum = hn::MulAdd(load_single_precision<Number>(
                                        modes.tangent + tangent_number(3 * c + d, m) * W),
@@ -121,6 +129,8 @@ namespace Signorini
       void
       diagonal(const std::size_t b, Values &diagonal) const
       {
+        // A diagonal entry tests a function with itself: of the tangent only the 3 x 3 block of the
+        // same component c is needed, weighted with the integrals of products of derivatives.
         const float *const tangent = batches.tangent(b, 0);
         for (int i = 0; i < n_nodes; ++i)
           for (int c = 0; c < 3; ++c)
@@ -166,6 +176,9 @@ namespace Signorini
       HWY_INLINE void
       apply(const std::size_t b, Values &u) const
       {
+        // Gradients in reference coordinates at all Gauss points, the stress of each point in place
+        // of its gradient, and the transposed evaluation. Geometry and quadrature weights are in
+        // the tangents, so that the kernel has no data of the mesh.
         typename Lattice::Gradients g;
         lattice.evaluate_gradients(u, g);
         for (int q = 0; q < n_nodes; ++q)
@@ -222,6 +235,7 @@ namespace Signorini
     std::unique_ptr<CellKernel<Number>>
     make_tangent_kernel_of_degree(const KernelCells &cells)
     {
+      // One tangent for each cell is a mean; otherwise there is one for each Gauss point.
       if (cells.tangents.size() == cells.size())
         return std::make_unique<MeanTangentKernel<Number, degree>>(cells);
       return std::make_unique<PointTangentKernel<Number, degree>>(cells);

@@ -63,6 +63,9 @@ namespace Signorini
           vertex = vertices.local_index(vertex);
         for (std::uint32_t &node : nodes.of[i].nodes)
           {
+            // Bit c is set if component c of the node is free. Constrained components are not
+            // interpolated to, and contribute nothing to the restriction, so that both remain
+            // transposes of each other.
             std::uint8_t bits = 0;
             for (unsigned int c = 0; c < n_components; ++c)
               if (!above.constraints.is_constrained(node + c))
@@ -88,6 +91,7 @@ namespace Signorini
   {
     for (unsigned int i = 0; i < nodes.of.size(); ++i)
       {
+        // List i has the nodes that are means of 2^i vertices.
         const unsigned int n = 1 << i;
         for (std::size_t k = 0; k < nodes.of[i].nodes.size(); ++k)
           act(nodes.of[i].nodes[k], free[i][k], &nodes.of[i].vertices[n * k], n);
@@ -101,6 +105,8 @@ namespace Signorini
   void
   InterpolationTransfer::vmult_add(float *of_fine, const float *of_coarse) const
   {
+    // Constrained vertices of the coarser level get their values first; afterwards the
+    // interpolation treats all vertices alike.
     const float *const u = vertices.resolve(of_coarse);
     for_each_node(
       [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
@@ -125,6 +131,7 @@ namespace Signorini
     float *const f = vertices.zero();
     for_each_node(
       [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
+        // A node gives each of its n vertices the n-th part of its force.
         float share[n_components];
         for (unsigned int c = 0; c < n_components; ++c)
           share[c] = is_free >> c & 1 ? of_fine[node + c] / n : 0.f;
@@ -143,6 +150,8 @@ namespace Signorini
   std::unordered_map<InterpolationTransfer::Index, InterpolationTransfer::Row>
   InterpolationTransfer::rows(const std::vector<Index> &dofs) const
   {
+    // One pass over all nodes selects the rows that are asked for, since no map from degrees of
+    // freedom to nodes is stored.
     std::vector<bool> is_asked(fine.n_elements(), false);
     for (const Index dof : dofs)
       is_asked[fine.index_within_set(dof)] = true;
@@ -199,7 +208,9 @@ namespace Signorini
     std::vector<Row> result(B.local_size());
     for (unsigned int i = 0; i < result.size(); ++i)
       {
-        const LA::RowView       row(B, i);
+        const LA::RowView row(B, i);
+        // Several columns of B may depend on the same vertex; a map adds up their contributions and
+        // sorts them. Columns without a row of P are constrained.
         std::map<Index, double> sums;
         for (int k = 0; k < row.size; ++k)
           if (const auto below = P.find(columns[row.columns[k]]); below != P.end())

@@ -50,9 +50,11 @@ namespace Signorini
     // those in its parent's.
     for (const SpaceFillingCurve::PlacedCell &leaf : curve.leaves())
       {
-        const CellTangent      &tangent = of_leaves[leaf.cell->active_cell_index()];
-        float                   factor  = 1;
-        SpaceFillingCurve::Cell cell    = leaf.cell;
+        const CellTangent &tangent = of_leaves[leaf.cell->active_cell_index()];
+        // The sums are over the leaves of this rank only; other ranks add theirs in
+        // send_to_owners().
+        float                   factor = 1;
+        SpaceFillingCurve::Cell cell   = leaf.cell;
         while (cell->level() > 0)
           {
             cell = cell->parent();
@@ -74,6 +76,8 @@ namespace Signorini
   {
     const unsigned int                           rank = Utilities::MPI::this_mpi_process(comm);
     std::map<unsigned int, std::vector<Message>> messages;
+    // Level and position identify a cell on all ranks, its index in deal.II does not. A child that
+    // begins where its parent does has the same position, hence the level.
     std::map<std::pair<int, SpaceFillingCurve::Position>, int> own;
     for (const SpaceFillingCurve::PlacedCell &place : curve.ancestors())
       {

@@ -78,6 +78,8 @@ namespace Signorini
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
+          // The first component of a vertex names it on all levels. Kernels assume three
+          // consecutive components, which is asserted once here.
           if (Index &name = names[cell->vertex_index(v)]; name == numbers::invalid_dof_index)
             {
               name = cell->vertex_dof_index(v, 0, cell->active_fe_index());
@@ -102,6 +104,8 @@ namespace Signorini
   void
   LevelVertices::query_other_ranks(const MPI_Comm comm)
   {
+    // The leaf at the corner of an ancestor has that vertex as its corner of the same number. The
+    // curve tells its owner, which knows the name, without a search. Each vertex is asked for once.
     std::map<unsigned int, std::vector<NumberRequest>> questions;
     std::map<unsigned int, std::vector<unsigned int>>  asked; // numbers of vertices
     std::vector<bool>                                  is_asked(names.size(), false);
@@ -145,6 +149,8 @@ namespace Signorini
   void
   LevelVertices::add_masters(std::vector<Index> &list) const
   {
+    // Entries that are appended are not examined again: deal.II resolves chains of constraints when
+    // they are closed, so that masters are not constrained themselves.
     const std::size_t n = list.size();
     for (std::size_t i = 0; i < n; ++i)
       for (unsigned int c = 0; c < space_dim; ++c)
@@ -163,6 +169,8 @@ namespace Signorini
     public:
       Owners(const IndexSet &owned, const MPI_Comm comm)
       {
+        // Ranks own contiguous ranges in their order, so that the ends of the ranges determine the
+        // owner by bisection.
         Index end = 0;
         for (const auto n : Utilities::MPI::all_gather(comm, owned.n_elements()))
           ends.push_back(end += n);
@@ -224,6 +232,7 @@ namespace Signorini
 
     // Contiguous numbers; three degrees of freedom for each vertex, those of rigid bodies last on
     // the last rank.
+    // The numbers of a rank follow those of the ranks before it, in the order of the names.
     const auto  counts = Utilities::MPI::all_gather(comm, my_names.size());
     const auto  rank   = Utilities::MPI::this_mpi_process(comm);
     const Index before = std::accumulate(counts.begin(), counts.begin() + rank, Index(0)),

@@ -58,12 +58,14 @@ namespace Signorini
     constraints.close();
   }
 
-  template <int dim>
   // Degrees of freedom of rigid bodies follow those of the mesh, as in the fine space, with the
   // same owner.
+  template <int dim>
   void
   LinearSpace<dim>::number(const Elasticity<dim> &fine)
   {
+    // The rigid degrees of freedom are owned by one rank and relevant on all, as their motion
+    // enters contact rows anywhere.
     const auto n_rigid = fine.owned().size() - fine.dof_handler().n_dofs(), n = dofs.n_dofs();
     owned = relevant = IndexSet(n + n_rigid);
     owned.add_indices(dofs.locally_owned_dofs());
@@ -95,6 +97,9 @@ namespace Signorini
           for (const unsigned int v : cell->vertex_indices())
             for (unsigned int c = 0; c < dim; ++c)
               {
+                // The first nodes of a cell in deal.II are its vertices, so that node v of the fine
+                // element is vertex v. All components of a supported vertex are registered, because
+                // inclined supports refer to its other components.
                 const auto dof = fine_indices[cell->get_fe().component_to_system_index(c, v)];
                 if (of_fine.is_constrained(dof) && !fine.hanging_nodes().is_constrained(dof))
                   for (unsigned int d = 0; d < dim; ++d)
@@ -102,6 +107,8 @@ namespace Signorini
                       indices[elements[0].component_to_system_index(d, v)];
               }
         }
+    // Constraints are copied with their weights; entries at nodes that are no vertices have no
+    // counterpart and are dropped.
     for (const auto &[dof, own] : coarse)
       if (of_fine.is_constrained(dof) && !constraints.is_constrained(own))
         {
@@ -149,6 +156,8 @@ namespace Signorini
         const Point<dim> &place      = fe.base_element(0).unit_support_point(node);
         for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
           if (const double value = GeometryInfo<dim>::d_linear_shape_function(place, v);
+              // The multilinear functions at nodes are products of 0, 1/2 and 1 for degree two, and
+              // vanish at vertices of other sides.
               std::abs(value) > 1e-14)
             add_resolved(vertices[space.elements[0].component_to_system_index(component, v)],
                          factor * value,
@@ -156,8 +165,8 @@ namespace Signorini
       }
 
     private:
-      void
       /// Add an entry at a vertex, or entries at those that constrain it.
+      void
       add_resolved(const types::global_dof_index dof, const double value, Row &row) const
       {
         if (const auto *line = space.constraints.get_constraint_entries(dof))
@@ -176,6 +185,8 @@ namespace Signorini
     void
     visit_nodes(const Elasticity<dim> &fine, const LinearSpace<dim> &space, const Visitor &visit)
     {
+      // Degrees of freedom that several cells share are visited in the first of them. The cell of
+      // degree one with the same level and index has the vertices in the same order.
       std::vector<bool>                    is_done(fine.owned().n_elements(), false);
       std::vector<types::global_dof_index> indices, vertices;
       for (const auto &cell : fine.dof_handler().active_cell_iterators())
@@ -218,7 +229,8 @@ namespace Signorini
     std::unique_ptr<const Prolongation>
     means_of_vertices(const Elasticity<3> &fine, const LinearSpace<3> &space)
     {
-      constexpr unsigned int                              dim = 3;
+      constexpr unsigned int dim = 3;
+      // The vertices of each node depend on the element only, and are found once.
       std::vector<std::vector<std::vector<unsigned int>>> vertices_of; // [element][node]
       for (unsigned int e = 0; e < fine.finite_elements().size(); ++e)
         {
@@ -232,6 +244,8 @@ namespace Signorini
                   space,
                   [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
                     const auto [component, node] = cell->get_fe().system_to_component_index(i);
+                    // The three components of a node have the same interpolation; the first one
+                    // stands for all.
                     if (component != 0)
                       return;
                     std::vector<types::global_dof_index> of;
@@ -267,6 +281,8 @@ namespace Signorini
         if (fine.owned().is_element(i) && !fine.constraints().is_constrained(i))
           found.emplace_back(i, Row{{i - fine.dof_handler().n_dofs() + space.dofs.n_dofs(), 1.}});
 
+      // Rows of constrained degrees of freedom stay empty: a correction from the coarser level must
+      // not move them.
       LA::SparsityPattern pattern(fine.owned(), space.owned, fine.mesh().communicator());
       for (const auto &[i, row] : found)
         for (const auto &entry : row)
@@ -310,7 +326,10 @@ namespace Signorini
     LA::Vector               result(owned, terms.get_mpi_communicator());
     const double *const      above = LA::values_of(terms);
     const std::vector<float> single_precision(above, above + terms.locally_owned_size());
-    std::vector<float>       below(owned.n_elements());
+    // The transposed prolongation distributes a diagonal value to vertices with the weights of the
+    // interpolation. It keeps the sum, and with it the stiffness against translations, where no
+    // vertex is constrained.
+    std::vector<float> below(owned.n_elements());
     P.Tvmult(below.data(), single_precision.data());
     std::copy(below.begin(), below.end(), LA::values_of(result));
     for (auto i = owned.size() - n_rigid; i < owned.size(); ++i)
@@ -343,6 +362,8 @@ namespace Signorini
         for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
           if (const auto at = std::find(indices.begin(), indices.end(), other); at != indices.end())
             rows.add(cell->get_fe(), at - indices.begin(), -weight, vertices, row);
+        // Entries cancel where the space of degree one satisfies the constraint by itself, up to
+        // the rounding of their weights.
         const auto is_nothing = [](const auto &entry) { return std::abs(entry.second) < 1e-10; };
         row.erase(std::remove_if(row.begin(), row.end(), is_nothing), row.end());
         if (!row.empty())

@@ -47,6 +47,8 @@ namespace Signorini
     {
       LA::SparseMatrix K;
       if constexpr (dim == 3)
+        // Tangents exist in space only, where matrix-free operators do. The assembly of
+        // finest_space() includes the diagonal terms already.
         if (tangents)
           {
             assemble(finest_space(displacements_of(elasticity, space, tangents, terms), elasticity),
@@ -101,6 +103,9 @@ namespace Signorini
       Spaces result;
       if constexpr (dim == 3)
         {
+          // Coarser meshes are built first: if there are none, the space of degree one must not be
+          // given products only, since the hierarchy continues with aggregates, which need its
+          // matrix. P remains with the caller in that case.
           const LinearDisplacements linear = displacements_of(elasticity, space, tangents, terms);
           result                           = mesh_levels(linear, elasticity);
           if (!result.levels.empty())
@@ -136,6 +141,8 @@ namespace Signorini
                                             *P,
                                             space.owned,
                                             space.owned.size() - space.dofs.n_dofs());
+    // The penalty for lost constraints has no matrix-free form: with it the space of degree one is
+    // assembled, and aggregates follow.
     if (to_coarser_meshes && !lost.any())
       if (Spaces result = coarser_meshes(elasticity, space, tangents, P, terms);
           !result.levels.empty())

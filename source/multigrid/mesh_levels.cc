@@ -130,6 +130,8 @@ namespace Signorini
     std::vector<Index>
     Levels::known_names(const int at) const
     {
+      // The list has duplicates, as a vertex belongs to several cells; the numbering and the
+      // constraints sort them out.
       std::vector<Index> known;
       for_each_cell(at, vertices.curve(), [&](const PlacedCell &cell_on_curve) {
         for (unsigned int v = 0; v < n_corners; ++v)
@@ -189,6 +191,8 @@ namespace Signorini
                       const VertexNumbers      &of_level,
                       CellSpace                &space) const
     {
+      // Constraints are stored for vertices of this rank and for those of its cells that other
+      // ranks own: kernels resolve both.
       IndexSet           relevant = space.owned;
       std::vector<Index> others;
       for (const Index name : known)
@@ -211,6 +215,8 @@ namespace Signorini
                                       of_level.dof(other - other % dim, other % dim),
                                       weight);
             }
+      // Rigid bodies have no cells and are the same on all levels; prescribed components are
+      // constrained on each of them.
       for (Index i = 0; i < n_rigid; ++i)
         if (linear.constraints.is_constrained(linear.owned.size() - n_rigid + i))
           constraints.add_line(relevant.size() - n_rigid + i);
@@ -228,6 +234,10 @@ namespace Signorini
       else
         {
           // By direction: on the same side, the coordinate of the parent's corner; else the middle.
+          // Bit d of a corner or child number is its side in direction d. A bit that child and
+          // corner have in common is on the boundary of the parent (no bit of `middle`); where they
+          // differ, the corner is at the middle between both sides, and corners v of the parent on
+          // either side count. So 1, 2, 4 or 8 corners remain.
           const Cell         parent = cell_on_curve.cell->parent();
           const unsigned int child  = SpaceFillingCurve::child_number(cell_on_curve),
                              middle = child ^ corner;
@@ -245,6 +255,8 @@ namespace Signorini
     {
       const unsigned int rank    = Utilities::MPI::this_mpi_process(comm);
       const auto         is_lost = [&](const PlacedCell &cell_on_curve, const unsigned int corner) {
+        // Only supports are examined, not hanging nodes; a vertex that exists on the coarser level
+        // (one parent) keeps its own constraint.
         const Index name = vertices.name(cell_on_curve.cell, corner);
         for (unsigned int c = 0; c < dim; ++c)
           if (const auto *line = vertices.line(name + c); line && !line->hangs)
@@ -271,6 +283,9 @@ namespace Signorini
     InterpolationTransfer::Nodes
     Levels::nodes_on(const VertexNumbers &coarse) const
     {
+      // A vertex is visited from each of its cells and written once, by the rank that owns its name
+      // on the finest mesh. Any of its cells gives the same result: it is a corner, or the middle
+      // of the same edge or face, of the cells of the coarser level.
       const LA::OwnRange           own(linear.dofs.locally_owned_dofs());
       InterpolationTransfer::Nodes nodes;
       std::vector<bool>            is_done(own.size() / dim, false);
@@ -292,6 +307,7 @@ namespace Signorini
     bool
     Levels::can_coarsen() const
     {
+      // Systems of so few unknowns are factorised; a further level would only add communication.
       constexpr unsigned int few = 1000; // unknowns, which are factorised
       return level > 0 && numbers.owned_dofs().size() > few && !loses_constraints();
     }
@@ -299,6 +315,9 @@ namespace Signorini
     std::unique_ptr<const Prolongation>
     Levels::coarsen()
     {
+      // The finest mesh has no CellSpace of its own here, but the data of `linear`. Everything of
+      // the coarser level is made before the present one is replaced, because the transfer refers
+      // to both.
       const bool               is_finest = present.owned.size() == 0;
       const std::vector<Index> known     = known_names(level - 1);
       VertexNumbers            below     = number_vertices(level - 1, known);
@@ -318,8 +337,8 @@ namespace Signorini
       return P;
     }
 
-    std::vector<std::vector<double>>
     // The modes of the finest mesh at the vertices that this level has.
+    std::vector<std::vector<double>>
     Levels::modes() const
     {
       std::vector<std::vector<double>> result(linear.modes.size());
@@ -353,6 +372,8 @@ namespace Signorini
         {
           KernelCells &cells = space.cells.front();
           for (unsigned int v = 0; v < n_corners; ++v)
+            // Corners in the order of deal.II are lexicographic, as kernels of degree one need
+            // them.
             cells.nodes.push_back(cell->vertex_dof_index(v, 0, cell->active_fe_index()));
           if (linear.tangents)
             cells.tangents.push_back((*linear.tangents)[cell->active_cell_index()]);
@@ -371,6 +392,8 @@ namespace Signorini
   {
     Spaces      result;
     const auto &triangulation = elasticity.mesh().triangulation();
+    // A mesh that was never refined has no coarser one, and meshes that are not distributed have no
+    // space-filling curve.
     if (triangulation.n_global_levels() == 1 ||
         !dynamic_cast<const parallel::distributed::Triangulation<dim> *>(&triangulation))
       return result;
@@ -382,6 +405,8 @@ namespace Signorini
         is_last                               = !levels.can_coarsen();
         if (is_last)
           {
+            // Whether a level is the last one is known only after the next one was tried; it alone
+            // is assembled.
             LA::SparseMatrix K;
             assemble(levels.space(), K);
             result.levels.emplace_back(std::move(P), std::move(K));

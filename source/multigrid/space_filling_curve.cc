@@ -33,6 +33,8 @@ namespace Signorini
 
   SpaceFillingCurve::SpaceFillingCurve(const parallel::distributed::Triangulation<3> &triangulation)
   {
+    // p4est orders the trees differently from the coarse cells of deal.II. Its order is used,
+    // because the leaves are distributed along it.
     const auto &trees = triangulation.get_coarse_cell_to_p4est_tree_permutation();
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       collect(cell, {static_cast<unsigned int>(trees[cell->index()]), 0});
@@ -56,6 +58,7 @@ namespace Signorini
   bool
   SpaceFillingCurve::collect(const Cell &cell, const Position &position)
   {
+    // Artificial and ghost leaves are not collected: their positions are on other ranks.
     if (!cell->has_children())
       {
         if (cell->is_locally_owned())
@@ -90,6 +93,8 @@ namespace Signorini
   SpaceFillingCurve::at_corner(const PlacedCell &cell_on_curve, const unsigned int corner)
   {
     Position position = cell_on_curve.position;
+    // Levels beyond the finest one are filled too; the position is then inside of the leaf, and
+    // owner() and leaf() find the interval that contains it.
     for (unsigned int level = cell_on_curve.cell->level(); level < 21; ++level)
       position.second |= std::uint64_t(corner) << shift(level);
     return position;

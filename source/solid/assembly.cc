@@ -29,6 +29,7 @@ namespace Signorini
 
 
 
+  // The cells that `takes` selects, with the matrices of linear elasticity.
   template <int dim>
   void
   StiffnessAssembly<dim>::assemble(LA::SparseMatrix                        &K,

@@ -4,6 +4,8 @@
 
 namespace Signorini
 {
+  // The keys by which supports and loads name nodes instead of boundaries. Locations in the scene
+  // are kept for messages that only the mesh can give rise to.
   void
   NodeChoice::declare(Section &section, const unsigned int dim, const std::string &what)
   {
@@ -16,6 +18,7 @@ namespace Signorini
                 what + " at a point of a body: its coordinates x,y" + (dim == 3 ? ",z" : "") +
                   "; empty: none [length]");
     section.add("Point body", body, "body that contains the point; empty: the only one there");
+    // When reference or templates are printed, values are not read and must not be checked.
     if (!section.reading())
       return;
     sets_location  = section.source_of("Nodes");
@@ -74,6 +77,7 @@ namespace Signorini
                    "must be later than Start time, or 0 for a support that is never removed");
     if (boundaries.empty() && nodes.empty())
       section.fail("Boundaries", "a support needs at least one boundary, or Nodes, or a Point");
+    // Faces have a normal; single nodes need an explicit direction.
     const bool has_normal = nodes.empty() || direction.norm() > 0;
     if (type == SupportType::symmetry && !nodes.empty())
       section.fail("Type", "nodes and points have no normal; prescribe components there");
@@ -99,6 +103,8 @@ namespace Signorini
   bool
   Support<dim>::acts(const double t) const
   {
+    // A support is active in the half-open interval (from, until], because a load step is the
+    // solution at its end.
     constexpr double rounding = 1e-10;
     return (from == 0 || t > from * (1 + rounding)) && (until == 0 || t <= until * (1 + rounding));
   }
@@ -160,6 +166,8 @@ namespace Signorini
       section.fail("Body force", "is required with Bodies");
     if (bodies.empty() && !body_force.empty())
       section.fail("Bodies", "is required with a Body force");
+    // A pressure may be the formula 0 on purpose; that its key is set tells it from a forgotten
+    // load.
     const bool acts = !traction.empty() || section.is_set("Pressure") || total_force.given();
     if (!boundaries.empty() && !acts)
       section.fail("Traction",

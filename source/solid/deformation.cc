@@ -8,6 +8,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Plane models keep F_zz = 1; in plane stress it is only the start of the iteration for the
+  // thickness, see response_at().
   template <int dim>
   Tensor<2, 3>
   deformation_gradient(const Model           model,
@@ -64,7 +66,10 @@ namespace Signorini
       for (unsigned int i = 0; i < most; ++i)
         {
           const ConstitutiveResponse state = point.at(C, ResponseOrder::tangent);
-          const double               slope = state.tangent[2][2][2][2] / 2 * C[2][2];
+          // The tangent is 2 dS/dC; the derivative with respect to ln C_zz is dS_zz/dC_zz times
+          // C_zz. The logarithm keeps the thickness positive, and the limit of the step prevents
+          // that a flat start leads to extreme thicknesses.
+          const double slope = state.tangent[2][2][2][2] / 2 * C[2][2];
           if (std::abs(state.stress[2][2]) <= enough * std::abs(slope))
             return state;
           if (!(slope > 0))
@@ -94,6 +99,8 @@ namespace Signorini
 
 
 
+  // For a law that is compared with another one at the same displacement: without temperature and
+  // duration.
   MaterialPoint::MaterialPoint(const ConstitutiveLaw &law,
                                const double           volumetric_stress,
                                const double *const    internal)
@@ -142,6 +149,8 @@ namespace Signorini
     ConstitutiveResponse        state  = without_thickness_stress(point, C);
     const SymmetricTensor<4, 3> T      = state.tangent;
     const double                across = T[2][2][2][2];
+    // The caller gets F with the thickness stretch that was found; at small strain C stands for 1 +
+    // 2 eps.
     F[2][2]            = is_finite_strain ? std::sqrt(C[2][2]) : 1 + (C[2][2] - 1) / 2;
     state.stress[2][2] = 0;
     for (unsigned int i = 0; i < 3; ++i)
@@ -166,6 +175,8 @@ namespace Signorini
       return {};
     try
       {
+        // Only std::domain_error is caught, which the iteration for the thickness throws; other
+        // exceptions are passed on.
         return response_at(model, point, F, wanted);
       }
     catch (const std::domain_error &)

@@ -34,6 +34,7 @@ namespace Signorini
             const Tensor<1, dim>    &u,
             const Point<dim>        &x)
     {
+      // In plane stress the response changes F_zz, so that H is formed before.
       Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, u, x);
       const Tensor<2, 3> H = F - Tensor<2, 3>(unit_symmetric_tensor<3>()),
                          sigma(elasticity.stress(cell, gradient, u, x));
@@ -89,6 +90,8 @@ namespace Signorini
                 work_at(elasticity, *laws[cell->material_id()], *cell, gradients[q], values[q], x);
               sum.of_small += weight * work.of_small;
               sum.change += weight * work.change;
+              // The norm of the antisymmetric part counts its components twice, hence the root of
+              // two: in the plane the result is the angle.
               const Tensor<2, dim> strain(symmetrize(gradients[q]));
               change.strain = std::max(change.strain, strain.norm());
               change.largest_rotation =

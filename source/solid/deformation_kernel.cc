@@ -10,6 +10,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Components of gradients are dim^2, plus the hoop component in axisymmetric models. Gauss
+  // points: degree + 1 in each direction, as for the linear stiffness.
   template <int dim>
   DeformationKernel<dim>::DeformationKernel(const Mesh<dim>             &mesh,
                                             const hp::FECollection<dim> &all_elements,
@@ -69,6 +71,8 @@ namespace Signorini
     slopes.resize(dofs->size() / dim);
     for (unsigned int i = 0; i < slopes.size(); ++i)
       {
+        // The last entry is the factor of the radial displacement in the hoop component; zero in
+        // other models.
         const Tensor<1, dim> &gradient = values->shape_grad(i, q);
         for (unsigned int J = 0; J < dim; ++J)
           slopes[i][J] = gradient[J];
@@ -110,6 +114,7 @@ namespace Signorini
     for (unsigned int m = 0; m < n_components; ++m)
       {
         const auto [a, J] = place(m);
+        // First contraction: sum_I F_aI T_IJKL for the fixed pair (a, J), which is needed by all n.
         double moved[3][3]; // K, L
         for (unsigned int K = 0; K < 3; ++K)
           for (unsigned int L = 0; L < 3; ++L)
@@ -146,6 +151,8 @@ namespace Signorini
                               history ? history->duration() : 0.,
                               thermal && thermal->any() ? thermal->temperature_change(*cell, x) :
                                                           0.);
+    // At small strain forces and tangents are those of finite strain with F = 1: P = S, and the
+    // geometric term is omitted in derivative().
     is_small    = point.strain_measure == StrainMeasure::small;
     auto result = response_if_any(model, point, F, wanted);
     if (is_small)
@@ -165,8 +172,12 @@ namespace Signorini
     const double weight  = values->JxW(q);
     CellTangent  result{};
     for (unsigned int c = 0; c < dim; ++c)
+      // Blocks of the components c and e of the displacement; the tangent is symmetric, and of the
+      // diagonal blocks the lower triangle is stored.
       for (unsigned int e = 0; e <= c; ++e)
         {
+          // The factor J^-T on the right first, since it is the same for all derivatives d on the
+          // left.
           double right[dim][dim]; // J, f
           for (unsigned int J = 0; J < dim; ++J)
             for (unsigned int f = 0; f < dim; ++f)
@@ -253,6 +264,8 @@ namespace Signorini
                 value += slopes[i][J] * D[d * dim + J][m];
               stress[m] = weight * value;
             }
+          // Rows are contiguous: entry (i dim + d, j dim + e) with nodes in the order of the scalar
+          // element. Only j <= i is written.
           double *at = &sums[(i * dim + d) * n];
           for (unsigned int j = 0; j <= i; ++j)
             for (unsigned int e = 0; e < dim; ++e)
@@ -323,6 +336,8 @@ namespace Signorini
   {
     reinit(cell);
     PointVariables result;
+    // The number of points on a line tells the receiver of these values, which may have another
+    // mesh, which polynomial they define.
     result.points_per_line = cell->get_fe().degree + 1;
     for (const unsigned int q : values->quadrature_point_indices())
       {

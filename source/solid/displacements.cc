@@ -56,6 +56,8 @@ namespace Signorini
       if (cell->is_locally_owned())
         cell->set_active_fe_index(element_of_body[my_mesh.body(cell)]);
     dofs.distribute_dofs(elements);
+    // Rotations of rigid bodies are unknowns after multiplication with this length, so that they
+    // are of the size of displacements, and convergence criteria treat both alike.
     my_rotation_length_scale = my_mesh.size() / 2;
     number_dofs();
 
@@ -71,6 +73,9 @@ namespace Signorini
 
 
 
+  // False if the set of active supports at time t differs from that of the present constraints:
+  // then degrees of freedom are constrained that are free now, or the reverse, and K has to be
+  // rebuilt.
   template <int dim>
   bool
   Displacements<dim>::has_supports_of(const double t) const
@@ -102,9 +107,9 @@ namespace Signorini
 
 
 
-  template <int dim>
   // A constraint with entries couples a component of a node to others of the same node: the support
   // is not along an axis. Collective.
+  template <int dim>
   bool
   Displacements<dim>::find_inclined_supports() const
   {
@@ -141,6 +146,8 @@ namespace Signorini
 
 
 
+  // The set of constrained nodes stays; only values change. Formulas of rigid bodies are checked
+  // also where the time is the same, since a scene may begin there.
   template <int dim>
   void
   Displacements<dim>::prescribe(const double t)
@@ -153,9 +160,9 @@ namespace Signorini
 
 
 
-  template <int dim>
   // All constraints at time t: hanging nodes, supports of the present set with their values at t,
   // prescribed motions of rigid bodies. Prescribed rotations are multiplied by the length scale.
+  template <int dim>
   void
   Displacements<dim>::make_constraints(const double t)
   {
@@ -177,6 +184,8 @@ namespace Signorini
 
 
 
+  // A copy of the displacements of the mesh with the values of ghost cells, for evaluations cell by
+  // cell. Collective.
   template <int dim>
   LA::Vector
   Displacements<dim>::with_ghosts(const LA::Vector &u) const
@@ -204,6 +213,7 @@ namespace Signorini
 
 
 
+  // The degrees of freedom of rigid bodies in u are not changed.
   template <int dim>
   void
   Displacements<dim>::set_mesh_part(const LA::Vector &part, LA::Vector &u) const
@@ -215,6 +225,8 @@ namespace Signorini
 
 
 
+  // The motions of all rigid bodies are few, and each rank needs them: they are summed to every
+  // rank. Collective.
   template <int dim>
   std::vector<double>
   Displacements<dim>::rigid_motion(const LA::Vector &u) const

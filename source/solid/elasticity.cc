@@ -106,6 +106,8 @@ namespace Signorini
 
 
 
+  // The assembly refers to the constraints of the present time; values of prescribed displacements
+  // do not enter the matrix.
   template <int dim>
   StiffnessAssembly<dim>
   Elasticity<dim>::assembly() const
@@ -122,6 +124,7 @@ namespace Signorini
 
 
 
+  // The matrix K, for linear bodies, with its diagonal terms. Collective.
   template <int dim>
   void
   Elasticity<dim>::assemble()
@@ -174,8 +177,10 @@ namespace Signorini
   {
     const AffineConstraints<double> &constraints = this->constraints();
     const hp::FECollection<dim>     &elements    = this->finite_elements();
-    StiffnessKernel<dim>             kernel(this->mesh(), elements, this->model());
-    const std::vector<Load<dim>>     dead = dead_loads(*this);
+    // Pressures that follow the surface at finite strain are not among the dead loads; they belong
+    // to the residual.
+    StiffnessKernel<dim>         kernel(this->mesh(), elements, this->model());
+    const std::vector<Load<dim>> dead = dead_loads(*this);
     LoadKernel<dim>    load_kernel(this->mesh(), elements, this->model(), dead, this->time());
     ThermalLoad<dim>   thermal_load(this->mesh(), elements, thermal_strain, this->model());
     FullMatrix<double> cell_matrix;
@@ -189,6 +194,8 @@ namespace Signorini
           const bool      acts     = load_kernel.assemble(cell, cell_load);
           const bool      loaded   = thermal_load.add(cell, material, cell_load) || acts;
           const bool      moved =
+            // For linear bodies prescribed displacements are moved to the right-hand side; the
+            // residual of nonlinear ones is evaluated at displacements that satisfy them.
             !is_nonlinear() && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
               return constraints.is_inhomogeneously_constrained(i);
             });

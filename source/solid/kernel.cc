@@ -67,7 +67,9 @@ namespace Signorini
     const double         lambda = in_plane_lambda(model, material), mu = material.mu();
     const auto          &dof = dofs[cell->active_fe_index()];
     const unsigned int   n   = dof.size() / dim;
-    weights                  = values.get_JxW_values();
+    // Quadrature weights with the circumference 2 pi r in axisymmetric models, where volumes are
+    // those of rings.
+    weights = values.get_JxW_values();
     if (model == Model::axisymmetric)
       for (const unsigned int q : values.quadrature_point_indices())
         weights[q] *= measure(model, values.quadrature_point(q));
@@ -118,6 +120,8 @@ namespace Signorini
     const unsigned int   n      = dof.size() / dim;
     for (const unsigned int q : values.quadrature_point_indices())
       {
+        // All pairs (i, j) and not only j <= i: the terms of both orders are different and together
+        // symmetric.
         const double r = values.quadrature_point(q)[0];
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
@@ -138,6 +142,8 @@ namespace Signorini
 
 
 
+  // Loads are integrated over the true surface and the volume that it encloses, with one Gauss
+  // point more in each direction than the stiffness, because formulas are no polynomials.
   template <int dim>
   LoadKernel<dim>::LoadKernel(const Mesh<dim>              &mesh,
                               const hp::FECollection<dim>  &elements,
@@ -225,8 +231,8 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<const Load<dim> *>
   // A load that names both a body and a set of its cells acts once.
+  std::vector<const Load<dim> *>
   LoadKernel<dim>::body_forces(const Cell &cell) const
   {
     std::vector<const Load<dim> *> result;

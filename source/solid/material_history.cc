@@ -27,6 +27,8 @@ namespace Signorini
       std::vector<double> result(n_internal, 0.);
       for (unsigned int q = 0; q < n_points; ++q)
         {
+          // Tensor product of the Lagrange polynomials through the Gauss points. Points are
+          // numbered with the first coordinate running fastest.
           double factor = 1;
           for (unsigned int d = 0, rest = q; d < dim; ++d, rest /= n)
             factor *= basis[rest % n].value(unit_point[d]);
@@ -49,6 +51,7 @@ namespace Signorini
         if (const auto found = known.find(parent_of(id)); found != known.end())
           return interpolated(found->second,
                               Geometry::child_to_cell_coordinates(unit_point, number_of_child(id)));
+      // After coarsening the values come from the child that contains the point.
       const unsigned int child = Geometry::child_cell_from_point(unit_point);
       if (const auto found = known.find(child_of(id, child)); found != known.end())
         return interpolated(found->second, Geometry::cell_to_child_coordinates(unit_point, child));
@@ -147,6 +150,7 @@ namespace Signorini
 
 
 
+  // The variables of point q of the rule of the stiffness; null for laws without any.
   template <int dim>
   const double *
   MaterialHistory<dim>::at(const Cell &cell, const unsigned int q) const

@@ -21,6 +21,7 @@ namespace Signorini
 
 
 
+  // The names that a scene may use: the three models of two dimensions, or the one of three.
   template <int dim>
   const std::vector<std::string> &
   model_names()
@@ -48,6 +49,8 @@ namespace Signorini
 
 
 
+  // Volumes and areas of axisymmetric models are those of rings around the axis, so that forces are
+  // those of the whole circumference; in plane models they are per unit of thickness.
   template <int dim>
   double
   measure(const Model model, const Point<dim> &x)
@@ -68,6 +71,9 @@ namespace Signorini
 
 
 
+  // The full strain tensor of the displacement gradient, as seen by the law: with eps_zz = 0 in
+  // plane strain, u_r/r in axisymmetric models, and the value that makes sigma_zz vanish in plane
+  // stress (doc/theory, 1.2).
   template <int dim>
   SymmetricTensor<2, 3>
   strain(const Model           model,

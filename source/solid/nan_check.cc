@@ -9,6 +9,7 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // The message names formula, position and time, with which the user can evaluate it by hand.
   template <int dim>
   std::string
   not_finite(const std::string &key,

@@ -74,6 +74,8 @@ namespace Signorini
 
 
 
+  // A point need not be a node: its force is distributed by the shape functions of the cell that
+  // contains it. Collective.
   template <int dim>
   void
   NodalForces<dim>::add_point(const Mesh<dim> &mesh, const Load<dim> &load)

@@ -33,6 +33,7 @@ namespace Signorini
     bool
     eliminate(std::vector<Equation<dim>> &equations, Equation<dim> next, const double negligible)
     {
+      // The largest value that takes part in the elimination is the scale of its rounding.
       double largest = std::abs(next.value);
       for (const Equation<dim> &one : equations)
         {
@@ -117,7 +118,9 @@ namespace Signorini
             AffineConstraints<double>   &constraints)
   {
     const double negligible = 1e-12 * mesh.size(); // collective
-    std::string  wrong;
+    // Values that are not finite are replaced by zero, so that the loop can go on to the collective
+    // exchange of messages.
+    std::string wrong;
     for (const auto &[index, node] : nodes)
       {
         std::vector<Equation<dim>> equations;
@@ -137,6 +140,8 @@ namespace Signorini
           }
         for (const Equation<dim> &one : equations)
           {
+            // After Gauss-Jordan elimination no equation contains the pivot of another one, as
+            // AffineConstraints requires: constrained components depend on free ones only.
             const auto line = node.dofs[one.pivot];
             constraints.add_line(line);
             for (unsigned int d = 0; d < dim; ++d)

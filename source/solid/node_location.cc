@@ -61,6 +61,8 @@ namespace Signorini
   {
     const auto children = cell.get_child_indices();
     Point<dim> x        = unit;
+    // The path of an active cell is listed from the coarse cell downwards; it is followed back
+    // upwards.
     for (unsigned int i = children.size(); i-- > 0;)
       x = GeometryInfo<dim>::child_to_cell_coordinates(x, children[i]);
     const std::vector<Listed> &listed = by_cell.at(cell.get_coarse_cell_id());
@@ -104,6 +106,7 @@ namespace Signorini
   unsigned int
   ListedNodes<dim>::n_missing(const MPI_Comm comm) const
   {
+    // A node counts as found if any rank has it.
     std::vector<unsigned int> anywhere(is_there.size());
     Utilities::MPI::max(is_there, comm, anywhere);
     return std::count(anywhere.begin(), anywhere.end(), 0u);
@@ -204,7 +207,9 @@ namespace Signorini
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned() && (body.empty() || mesh.body_name(mesh.body(cell)) == body))
         {
-          Point<dim>  unit;
+          Point<dim> unit;
+          // A cell with a smaller distance wins; for points on common faces both are zero, and the
+          // global id decides, so that the result does not depend on the partition.
           const Claim claim{distance_from(mesh, cell, x, unit),
                             cell->id().to_string(),
                             mesh.body(cell)};

@@ -31,6 +31,7 @@ namespace Signorini
   dead_loads(const Elasticity<dim> &elasticity)
   {
     std::vector<Load<dim>> result = elasticity.loads();
+    // The pressure of each load is removed, and its traction and other forces remain.
     if (elasticity.is_finite_strain())
       for (Load<dim> &load : result)
         load.pressure = Expression<dim>();
@@ -39,6 +40,8 @@ namespace Signorini
 
 
 
+  // Two sets of values on the same points: positions, normals and areas of the true surface, and
+  // gradients by the mapping of the cell, in which the displacement is defined.
   template <int dim>
   PressureKernel<dim>::PressureKernel(const Elasticity<dim> &elasticity)
     : elasticity(elasticity)
@@ -145,7 +148,9 @@ namespace Signorini
       {
         const Point<dim>  &x = values->quadrature_point(q);
         const Tensor<2, 3> F = gradient_at_point(model, *gradients, *dofs, q, u), G = invert(F);
-        const double       weight =
+        // Nanson: the current area element n da is J F^-T N dA. The pressure acts against the
+        // outward normal, hence the minus sign.
+        const double weight =
           -pressure(loads, x) * determinant(F) * values->JxW(q) * measure(model, x);
         // Normals have no hoop component, so that the in-plane part of F^-T suffices.
         const auto pulled_back = [&](const Tensor<1, dim> &at_rest) {
@@ -163,6 +168,8 @@ namespace Signorini
           continue;
         for (unsigned int j = 0; j < n_nodes; ++j)
           {
+            // The derivative of J F^-T N along w is J (tr(Grad w F^-1) F^-T N - F^-T (Grad w)^T
+            // F^-T N). With w = N_j e_b the second term is (F^-T grad N_j)_a n_b.
             const Tensor<1, dim> slope = pulled_back(gradients->shape_grad(j, q));
             // tr(Grad w F^-1) of w = N_j e_b, with the hoop part of axisymmetric models.
             Tensor<1, dim> volume = slope;

@@ -44,6 +44,8 @@ namespace Signorini
                const LA::Vector                                     &ghosted,
                Vector<double>                                       &cell_load)
       {
+        // Nonlinear bodies have forces from their law, which includes thermal strain and volumetric
+        // stress; linear ones the product of the cell matrix with the displacement.
         const Material &material = elasticity.material(cell->material_id());
         values.reinit(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_values(ghosted, values);
@@ -68,6 +70,8 @@ namespace Signorini
       {
         if (!elasticity.volumetric_stress().is_on(*cell))
           return;
+        // Only the derivative is used here: row k is the integral of function k times the
+        // divergence of each shape function.
         of_volume.assemble(cell, values, changes, &slopes);
         const auto &m = elasticity.volumetric_stress().coefficients(*cell);
         for (unsigned int k = 0; k < m.size(); ++k)
@@ -168,6 +172,8 @@ namespace Signorini
       const std::vector<Point<dim>> &nodes = nodes_of(cell);
       for (unsigned int i = 0; i < nodes.size(); ++i)
         {
+          // Each degree of freedom is the force of one component; the moment needs the position of
+          // the node, and at finite strain all components of its displacement.
           const auto [component, node] = fe.system_to_component_index(i);
           // The radial forces of axisymmetric loads are in equilibrium around the circumference.
           if (axisymmetric && component == 0)
@@ -241,6 +247,8 @@ namespace Signorini
     {
       const auto directions = node.orthonormal();
       for (unsigned int k = 0; k < directions.size(); ++k)
+        // The axis of symmetry is a constraint without support; its radial force is in balance
+        // around the circumference.
         if (const Support<dim> *support = node.prescribed_directions[k].support)
           {
             Tensor<1, dim> share = (force * directions[k]) * directions[k];
@@ -305,7 +313,9 @@ namespace Signorini
   Reactions<dim>
   reactions(const Elasticity<dim> &elasticity, const LA::Vector &u, const LA::Vector &contact_force)
   {
-    Sums<dim>  sums(elasticity, u);
+    Sums<dim> sums(elasticity, u);
+    // The residual is used at constrained nodes only, where it is complete and is the force of the
+    // supports.
     LA::Vector residual = sums.add_loads();
     residual -= contact_force;
     sums.add_supports(residual);

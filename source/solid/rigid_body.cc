@@ -34,6 +34,8 @@ namespace Signorini
 
 
 
+  // In the plane the rotation has one component, in space it is a rotation vector: its direction is
+  // the axis, its length the angle.
   template <int dim>
   void
   RigidBody<dim>::declare(Section &section)
@@ -61,6 +63,7 @@ namespace Signorini
     section.add("Reference point", reference, "center of the Rotation [length]");
     if (!section.reading())
       return;
+    // The type of these formulas is that of fields in space, which may depend on the position.
     if (displacement.depends_on_place())
       section.fail("Displacement",
                    "depends on x, y or z, but an obstacle is rigid; use formulas in t alone");
@@ -100,6 +103,8 @@ namespace Signorini
   {
     if (i < dim)
       return displacement.value(Point<dim>(), t)[i];
+    // Unknowns beyond the rotations exist in the plane only, where the second node of the body has
+    // dim components but one rotation; they are prescribed to zero.
     return i - dim < n_rotations ?
              rotation.value(Point<dim>(), t)[i - dim] * rotation_length_scale :
              0.;

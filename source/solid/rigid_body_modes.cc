@@ -7,6 +7,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Rotations are about the centre of the box, so that they are nearly orthogonal to translations
+  // for compact bodies.
   template <int dim>
   RigidBodyModes<dim>::RigidBodyModes(const BoundingBox<dim> &box)
   {
@@ -45,6 +47,8 @@ namespace Signorini
                    const hp::FECollection<dim> &elements,
                    const IndexSet              &owned)
   {
+    // One set of modes about the centre of all bodies. Restricted to an aggregate of one body, they
+    // span the same space as its own modes.
     const RigidBodyModes<dim>        all(mesh.extent());
     std::vector<std::vector<double>> modes(RigidBodyModes<dim>::n,
                                            std::vector<double>(owned.n_elements()));

@@ -18,6 +18,7 @@ namespace Signorini
       result[0][1] = -w[2];
       result[0][2] = w[1];
       result[1][2] = -w[0];
+      // Three entries determine the antisymmetric matrix.
       result -= transpose(result);
       return result;
     }
@@ -82,6 +83,8 @@ namespace Signorini
 
 
 
+  // The inverse motion: from the present position of a point of the body to that in the reference
+  // configuration, in which the shape is given.
   template <int dim>
   Point<dim>
   RigidPose<dim>::to_body(const Point<dim> &x) const
@@ -113,6 +116,8 @@ namespace Signorini
 
 
 
+  // The row of spin component i over the unknowns: the left Jacobian maps rates of the rotation
+  // vector to spins.
   template <int dim>
   std::array<double, RigidPose<dim>::n_dofs>
   RigidPose<dim>::spin(const unsigned int i) const
@@ -125,6 +130,7 @@ namespace Signorini
 
 
 
+  // Moments work on spins; their power on the unknowns is that of M . J_l.
   template <int dim>
   typename RigidPose<dim>::Moment
   RigidPose<dim>::on_rotations(const Moment &moment) const

@@ -19,6 +19,8 @@ namespace Signorini
 
 
 
+  // The matrix of K itself is in double precision; smoothers use a copy in single precision, which
+  // halves the memory that a product reads.
   AssembledOperator::AssembledOperator(const LA::SparseMatrix &K)
     : K(K)
     , K_single(K)
@@ -37,6 +39,7 @@ namespace Signorini
 
 
 
+  // Sums of absolute values by row: bounds of the eigenvalues by Gershgorin's theorem.
   std::vector<float>
   AssembledOperator::row_l1_norms() const
   {
@@ -62,6 +65,7 @@ namespace Signorini
 
 
 
+  // The copy is made when it is asked for first, since direct solvers do not need it.
   const StiffnessOperator<float> &
   AssembledStiffness::single_precision() const
   {

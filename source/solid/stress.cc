@@ -7,6 +7,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Hooke's law with Lame's constants (doc/theory, (1.1)). In mixed bodies lambda is zero, and the
+  // volumetric stress is added by the caller.
   SymmetricTensor<2, 3>
   stress(const Material &material, const SymmetricTensor<2, 3> &strain)
   {
@@ -16,6 +18,7 @@ namespace Signorini
 
 
 
+  // The inverse of Hooke's law in terms of E and nu.
   SymmetricTensor<2, 3>
   compliance(const Material &material, const SymmetricTensor<2, 3> &stress)
   {
@@ -26,6 +29,7 @@ namespace Signorini
 
 
 
+  // sqrt(3/2 s:s) of the deviator s, which is the absolute stress in uniaxial tension.
   double
   von_mises(const SymmetricTensor<2, 3> &stress)
   {

@@ -42,6 +42,7 @@ namespace Signorini
       {
         for (const types::boundary_id id : boundaries_of(mesh, load))
           by_boundary[id].push_back(&load);
+        // A total force at nodes is no surface load; see NodalForces.
         if (load.total_force.given() && !load.boundaries.empty())
           areas[&load] = 0;
       }

@@ -46,6 +46,8 @@ namespace Signorini
     if (!section.reading())
       return;
     place = section.source_of("Temperature");
+    // A temperature without an expansion coefficient would be ignored silently, which is an error
+    // of the user.
     if (!given())
       {
         if (!temperature.empty())
@@ -66,6 +68,7 @@ namespace Signorini
       return;
     try
       {
+        // Shared by the copies of the scene; formulas are evaluated at all quadrature points.
         compiled = std::make_shared<CompiledFormula>(temperature, variables<dim>(with_field));
       }
     catch (const SceneError &error)
@@ -81,6 +84,7 @@ namespace Signorini
 
 
 
+  // One number is isotropic. Without expansion: zero.
   template <int dim>
   Tensor<1, 3>
   ThermalExpansion<dim>::alpha() const
@@ -119,6 +123,8 @@ namespace Signorini
 
 
 
+  // The field of a mesh file varies in space, so that a formula that uses it depends on the
+  // position even without x, y or z.
   template <int dim>
   bool
   ThermalExpansion<dim>::depends_on_place() const

@@ -47,6 +47,9 @@ namespace Signorini
 
 
 
+  // Coefficients are stored for all cells with the same stride: the constant alone if all bodies
+  // have degree 1, otherwise the constant and one slope for each direction, of which cells of
+  // degree 1 use the first only.
   template <int dim>
   ThermalStrain<dim>::ThermalStrain(const Mesh<dim>                          &mesh,
                                     const std::vector<ThermalExpansion<dim>> &expansions,
@@ -94,6 +97,8 @@ namespace Signorini
     Monomials result{{1.}};
     if (n_coefficients == 1)
       return result;
+    // Scaled to the cell, so that the mass matrix of the fit is well conditioned whatever the unit
+    // of length and the distance from the origin are.
     const Tensor<1, dim> place = (x - cell.center()) / cell.diameter();
     for (unsigned int d = 0; d < dim; ++d)
       result[1 + d] = place[d];
@@ -120,6 +125,8 @@ namespace Signorini
 
 
 
+  // A formula may fail on one rank only; the positions are gathered, so that all ranks throw the
+  // same error together. Collective.
   template <int dim>
   void
   ThermalStrain<dim>::throw_if_invalid(const unsigned int             id,
@@ -177,7 +184,7 @@ namespace Signorini
   ThermalStrain<dim>::set_time(const double t)
   {
     // Each material is evaluated only if its time has changed and its temperature depends on time
-    // or has never been evaluated.
+    // or has never been evaluated. Ghost cells are evaluated as well, which needs no exchange.
     for (unsigned int id = 0; id < expansions.size(); ++id)
       {
         const ThermalExpansion<dim> &one = expansions[id];
@@ -208,6 +215,8 @@ namespace Signorini
 
 
 
+  // The fitted polynomial at a point [temperature], zero in materials that do not expand. This, and
+  // not the formula itself, is the temperature that loads, stresses and errors see.
   template <int dim>
   double
   ThermalStrain<dim>::temperature_change(const Cell &cell, const Point<dim> &x) const
@@ -224,6 +233,8 @@ namespace Signorini
 
 
 
+  // Normal components along x, y, z (axisymmetric: radial, axial, hoop); thermal expansion causes
+  // no shear.
   template <int dim>
   Tensor<1, 3>
   ThermalStrain<dim>::strain(const Cell &cell, const Point<dim> &x) const
@@ -252,6 +263,9 @@ namespace Signorini
 
 
 
+  // The temperature rise at a point as a linear combination of the coefficients of all cells, by
+  // their global numbers. With it the thermal part of the normal stress is a matrix, and a load
+  // step only multiplies it by new coefficients.
   template <int dim>
   std::vector<std::pair<types::global_dof_index, double>>
   ThermalStrain<dim>::row(const Cell &cell, const Point<dim> &x) const
@@ -279,10 +293,14 @@ namespace Signorini
 
 
 
+  // The vector that the rows of row() refer to: in the order of the cells, those that this rank
+  // owns. Collective.
   template <int dim>
   LA::Vector
   ThermalStrain<dim>::coefficients() const
   {
+    // Local arrays are numbered by active cells of this rank, including ghosts; the vector by the
+    // cells of all ranks.
     LA::Vector result(owned(), mesh.communicator());
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -307,6 +325,8 @@ namespace Signorini
         throw_if_invalid(id, t, std::vector<Point<dim>>(std::isfinite(T) ? 0 : 1));
         return {T, T};
       }
+    // The highest value is stored with the opposite sign, so that both are reduced by the same
+    // function.
     std::array<double, 2>   extremes{{std::numeric_limits<double>::max(),
                                       std::numeric_limits<double>::max()}}; // lowest, minus highest
     std::vector<Point<dim>> bad;
@@ -345,6 +365,8 @@ namespace Signorini
 
 
 
+  // The mapping of the cells, not that of the true surface: the forces must be those that stiffness
+  // times free expansion has, so that a heated body without supports gets no stress.
   template <int dim>
   ThermalLoad<dim>::ThermalLoad(const Mesh<dim>             &mesh,
                                 const hp::FECollection<dim> &elements,
@@ -378,6 +400,8 @@ namespace Signorini
           thermal.temperature_change(*cell, x) * values.JxW(q) * measure(model, x);
         for (const unsigned int i : values.dof_indices())
           {
+            // The thermal stress of an isotropic body with expansion along the axes is diagonal, so
+            // that component d works on the derivative in its own direction only.
             const unsigned int d = cell->get_fe().system_to_component_index(i).first;
             cell_load[i] += weight * stress[d] * values.shape_grad(i, q)[d];
             // The hoop component works on u_r/r.

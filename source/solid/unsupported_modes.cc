@@ -63,7 +63,9 @@ namespace Signorini
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           matrix(i, j) = gram(i, j);
-      const SymmetricEigenpairs   pairs = eigenpairs_of_symmetric(matrix);
+      const SymmetricEigenpairs pairs = eigenpairs_of_symmetric(matrix);
+      // Modes are scaled to the size of the piece, so that a constrained direction contributes
+      // about one. Adding one keeps the tolerance positive if nothing is constrained at all.
       const double                scale = 1 + gram.linfty_norm();
       std::vector<Vector<double>> result;
       for (unsigned int i = 0; i < n; ++i)
@@ -96,6 +98,8 @@ namespace Signorini
     constexpr unsigned int                 n     = RigidBodyModes<dim>::n;
     const std::vector<RigidBodyModes<dim>> modes = modes_of_pieces(displacements.mesh());
     std::vector<FullMatrix<double>>        gram(modes.size(), FullMatrix<double>(n));
+    // Orthonormal directions count a direction once that several supports constrain. A direction
+    // that depends on earlier ones is the zero vector and adds nothing.
     for (const auto &[index, node] : displacements.constrained_nodes())
       if (displacements.owned().is_element(index))
         for (const Tensor<1, dim> &direction : node.orthonormal())
@@ -197,6 +201,8 @@ namespace Signorini
       if (cell->is_locally_owned() && per_volume[mesh.piece(cell)] > 0)
         {
           read_indices<dim>(cell, indices);
+          // A cell has indices.size()/dim nodes for each of its dim components: each degree of
+          // freedom gets its part of the stiffness per volume times the volume.
           const double share = per_volume[mesh.piece(cell)] * volume_of(cell) *
                                measure(displacements.model(), cell->center()) * dim /
                                indices.size();
@@ -228,6 +234,8 @@ namespace Signorini
     for (const auto &cell : displacements.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         for (unsigned int k = 0; k < of_pieces.size(); ++k)
+          // A node belongs to one piece only, so that each entry is set by cells of the same piece,
+          // and always to the same value.
           if (of_pieces[k].piece == mesh.piece(cell))
             {
               const std::vector<Point<dim>> &nodes = nodes_of(cell);

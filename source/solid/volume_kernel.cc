@@ -51,13 +51,17 @@ namespace Signorini
       slopes->reinit(n_functions, dofs.size());
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const Point<dim>  &x                 = values.quadrature_point(q);
-        const Tensor<2, 3> F                 = gradient_at_point(model, values, dofs, q, u);
-        double             volumetric_strain = trace(F) - 3;
-        Tensor<2, 3>       by_gradient = unit_symmetric_tensor<3>(); // [derivative][component]
+        const Point<dim>  &x = values.quadrature_point(q);
+        const Tensor<2, 3> F = gradient_at_point(model, values, dofs, q, u);
+        // Small strain: tr(F) - 3 = tr(Grad u), including the hoop strain. Its derivative is the
+        // divergence, with the unit tensor in place of F^-1.
+        double       volumetric_strain = trace(F) - 3;
+        Tensor<2, 3> by_gradient       = unit_symmetric_tensor<3>(); // [derivative][component]
         if (is_finite_strain)
           {
             const double J = determinant(F);
+            // An inverted point has no logarithm; the caller shortens its step. The negated
+            // comparison includes NaN.
             if (!(J > 0))
               return false;
             volumetric_strain = std::log(J);
@@ -77,6 +81,7 @@ namespace Signorini
         for (unsigned int i = 0; i < n_nodes; ++i)
           for (unsigned int a = 0; a < dim; ++a)
             {
+              // tr(Grad w F^-1) for w = N_i e_a: sum_d dN_i/dX_d (F^-1)_da.
               double slope = 0;
               for (unsigned int d = 0; d < dim; ++d)
                 slope += values.shape_grad(i, q)[d] * by_gradient[d][a];

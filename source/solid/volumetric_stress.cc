@@ -16,6 +16,8 @@ namespace Signorini
 
   // If no material is in displacement-pressure form, the lists stay empty, and with them all
   // functions of this class.
+  // Two elements: one without functions for bodies in displacement form, and discontinuous linear
+  // polynomials, dim + 1 functions a cell, for those in displacement-pressure form.
   template <int dim>
   VolumetricStress<dim>::VolumetricStress(const Mesh<dim>             &mesh,
                                           const std::vector<Material> &materials,
@@ -121,6 +123,7 @@ namespace Signorini
     one.center = Point<dim>(moment / volume);
     one.size   = unit * unit * volume;
 
+    // A row has the coefficients of 1 and of the coordinates relative to the centroid.
     const auto at = [&](const Functions &row, const unsigned int q) {
       double sum = row[0];
       for (unsigned int d = 0; d < dim; ++d)
@@ -138,6 +141,8 @@ namespace Signorini
         Functions &row = one.rows[i];
         row.fill(0.);
         row[i] = 1;
+        // Earlier functions are orthogonal to each other and all have the same norm, so that their
+        // shares can be subtracted one after the other.
         for (unsigned int j = 0; j < i; ++j)
           {
             const double share = product(row, one.rows[j]) / one.size;

@@ -12,6 +12,8 @@ namespace Signorini
     std::vector<CheckResult> check_results;
     for (unsigned int i = 0; i < goals.quantities.size(); ++i)
       {
+        // The value of the last mesh for which an error was estimated. A quantity with the scale
+        // zero has an absolute bound.
         const BoundedValue now   = control.quantities()[i].last_bounded();
         const double       scale = control.scale(i);
         CheckResult        check_result;
@@ -31,6 +33,7 @@ namespace Signorini
 
 
 
+  // Load steps without an estimate have used the mesh that another one needed.
   std::vector<CheckResult>
   check_judged_steps(const unsigned int not_judged, const unsigned int all)
   {

@@ -31,6 +31,9 @@ namespace Signorini
       const char *check, *key;
       double      warned, failed;
     };
+    // Balances in results.json are relative to the largest force of the step; here they refer to
+    // the scale, which is that of all load steps, so that an unloaded step does not fail by
+    // rounding.
     const double             largest = results["largest_force"];
     std::vector<CheckResult> check_results;
     for (const auto &[check, key, warned, failed] :
@@ -41,6 +44,7 @@ namespace Signorini
         check_result.check = check;
         for (const auto &[body, of_body] : results["bodies"].items())
           if (const double value = scale > 0 ? of_body[key].get<double>() * largest / scale : 0.;
+              // The negated comparison also reports NaN.
               !(value <= check_result.value))
             {
               check_result.value = value;
@@ -68,6 +72,8 @@ namespace Signorini
     std::vector<CheckResult>
     check_normal_forces(const nlohmann::ordered_json &results, const double scale)
     {
+      // The resultant is a vector sum of p n dA and cannot be longer than the integral of p. A
+      // percent is left to quadrature and to normals that are no unit vectors in the mean.
       constexpr double         exact = 1.01, none = 1.05;
       std::vector<CheckResult> check_results;
       for (const auto &[name, pair] : results["pairs"].items())
@@ -105,8 +111,9 @@ namespace Signorini
       for (const auto &[name, pair] : results["pairs"].items())
         {
           CheckResult check_result;
-          check_result.check       = "pressure peak resolution";
-          check_result.where       = "pair " + name;
+          check_result.check = "pressure peak resolution";
+          check_result.where = "pair " + name;
+          // Pairs without force have no peak.
           check_result.value       = is_significant(pair["normal_force"], scale) ?
                                        pair["sharpness_of_peak"].get<double>() :
                                        0.;
@@ -167,6 +174,9 @@ namespace Signorini
     {
       constexpr double far    = 100; // sizes of the scene; nearer, digits are not lost by that
       const auto &[low, high] = now.elasticity.mesh().extent().get_boundary_points();
+      // The rounding of a coordinate is the machine precision times the distance from the origin; a
+      // gap is a difference of a few of them. It is compared with the deformation, the strain times
+      // the size of the model.
       const double offset = (low + (high - low) / 2).norm(), size = now.elasticity.mesh().size();
       double       strain = 0;
       for (const Extremes &of_body : extremes)
@@ -212,6 +222,8 @@ namespace Signorini
                    const std::vector<Extremes> &extremes,
                    const double                 largest_force)
     {
+      // A force counts if it could strain the softest material by more than rounding over an area
+      // of the size of the model.
       const double size                  = s.elasticity.mesh().size();
       double       minimal_penalty_scale = std::numeric_limits<double>::max();
       for (const Material &material : s.elasticity.all_materials())
@@ -233,9 +245,10 @@ namespace Signorini
       const bool acts = acts_on_bodies || now.displacement.linfty_norm() >
                                             least_motion * now.elasticity.mesh().size();
       CheckResult check_result;
-      check_result.check       = "loading";
-      check_result.value       = acts;
-      check_result.limit       = 1;
+      check_result.check = "loading";
+      check_result.value = acts;
+      check_result.limit = 1;
+      // Load steps may begin with nothing; one step with an action suffices.
       check_result.aggregation = CheckResult::Aggregation::best;
       check_result.outcome = acts || !scene.expected.empty() ? Outcome::passed : Outcome::failed;
       check_result.message =
@@ -251,6 +264,8 @@ namespace Signorini
     double
     elastic_force(const Snapshot<dim> &s, const std::vector<Extremes> &extremes)
     {
+      // Internal stresses may be in balance without any external force, as in a heated body: then
+      // their rounding is the scale of forces.
       double stress = 0;
       for (unsigned int id = 0; id < s.elasticity.all_materials().size(); ++id)
         stress = std::max(stress,
@@ -283,6 +298,8 @@ namespace Signorini
     std::vector<CheckResult> all = check_motions(now, extremes);
     const bool               acts = acts_on_bodies(now, extremes, results["largest_force"]);
     all.push_back(check_something_acts(scene, now, acts));
+    // The order is that of the report. All checks are evaluated on all ranks, also those that do
+    // not communicate.
     for (const auto &some : {check_locking(scene, now),
                              check_pairs(decisions, now, extremes, results, scale),
                              check_normal_forces(results, scale),

@@ -33,10 +33,14 @@ namespace Signorini
           {
             const Point<dim - 1> xi = rule.point(q);
             const Point<dim>     x  = face.position(xi);
+            // The pressure acts against the outward normal. Reference normals are used at finite
+            // strain too: what is compared is the quadrature and not the load.
             const Tensor<1, dim> traction =
               load.traction.value(x, t) - load.pressure.value(x, t) * face.normal(xi);
             const double area = rule.weight(q) * face.jacobian(xi) * measure(model, x);
             force += area * traction;
+            // Resultants may cancel, as that of a pressure on a closed surface; the integral of the
+            // norm does not, and is the scale.
             size += area * traction.norm();
           }
       }

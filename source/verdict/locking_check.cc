@@ -41,6 +41,9 @@ namespace Signorini
       const auto         basis = [&](const unsigned int q, const unsigned int i) {
         return i == 0 ? 1. : points[q][i - 1] - points[0][i - 1];
       };
+      // Weighted least squares: what remains of sum w v^2 is the part that is orthogonal to the
+      // basis, sum w v^2 - c . r with the solution c of the normal equations. Rounding may make it
+      // negative, hence the maximum.
       FullMatrix<double> moments(n);
       Vector<double>     right(n), coefficients(n);
       double             squares = 0;
@@ -84,6 +87,7 @@ namespace Signorini
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         {
           const Material &material = elasticity.material(cell->material_id());
+          // Bodies in displacement-pressure form do not lock, and compressible ones hardly.
           if (!cell->is_locally_owned() || material.is_up_formulation ||
               material.poissons_ratio < least_ratio)
             continue;
@@ -149,6 +153,7 @@ namespace Signorini
       {
         const Energies &of_body = energies[body];
         const double    share   = of_body.all > 0 ? of_body.locked / of_body.all : 0.;
+        // The name of the body is kept in `message` until the sentence is composed.
         if (share >= check_result.value)
           {
             check_result.value   = share;

@@ -13,12 +13,15 @@ namespace Signorini
   MonitoredSurfaces<dim>::MonitoredSurfaces(const Scene<dim> &scene, const Snapshot<dim> &now)
     : mesh(now.elasticity.mesh())
   {
+    // A pair without any pressure detects nothing, whatever the reason is; if its surfaces
+    // penetrate nevertheless, that is reported differently from a missing pair.
     const std::vector<bool> idle =
       Signorini::inactive_pairs(now.contact, now.pressure, now.pairs.size());
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
       {
         const ContactPair<dim> &pair = now.pairs[i];
         if (!scene.obstacle_of(pair))
+          // For each boundary of the pair the body on the other side, in both directions.
           for (const auto &[one, other] :
                {std::make_pair(pair.slave, pair.master), std::make_pair(pair.master, pair.slave)})
             for (const unsigned int boundary : mesh.boundary_ids(one))
@@ -33,6 +36,8 @@ namespace Signorini
                                 pairs)
                 .insert(std::minmax(slave, master));
         if (pair.is_self())
+          // In self-contact the division of a surface into slave and master depends on the
+          // configuration, so that the present one is stored face by face.
           for (const SlaveFace<dim> &face : now.surfaces[i].slave_faces)
             if (face.degree > 0)
               slaves.insert({face.cell, face.face});
@@ -82,6 +87,7 @@ namespace Signorini
 
 
 
+  // Kinds are reduced to boundary ids, because a pair in self-contact concerns the whole surface.
   template <int dim>
   bool
   MonitoredSurfaces<dim>::has_pair(const unsigned int a, const unsigned int body) const

@@ -35,6 +35,8 @@ namespace Signorini
           const FEValues<dim> &values = values_of.get_present_fe_values();
           values[displacement].get_function_values(ghosted, u);
           values[displacement].get_function_gradients(ghosted, gradient);
+          // The hoop strain u_r/r is a component of the gradient in axisymmetric models. Centres of
+          // cells are not on the axis.
           double square = gradient[0].norm_square();
           if (elasticity.model() == Model::axisymmetric)
             square += std::pow(u[0][0] / values.quadrature_point(0)[0], 2);
@@ -61,6 +63,7 @@ namespace Signorini
   namespace
   {
     /// @return the largest value of all bodies, with the name of the body as message.
+    /// The scale converts a value to the unit of its limit.
     template <int dim>
     CheckResult
     worst(const Snapshot<dim>         &s,
@@ -99,6 +102,7 @@ namespace Signorini
     motion.advice =
       "check its supports, the contact pairs that constrain it, and their initial gaps";
 
+    // Finite strain has no limit of strains and rotations.
     if (now.elasticity.is_finite_strain())
       return {motion};
 

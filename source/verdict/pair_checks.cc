@@ -1,143 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/search/boundary_faces.h"
-#include "contact/search/search.h"
+#include "verdict/pair_checks.h"
+
 #include "contact/search/search_radius.h"
-#include "fields/point_values.h"
-#include "verdict/checks.h"
 #include <signorini/base/text.h>
 #include <signorini/solid/model.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace Signorini
 {
   using namespace dealii;
 
+  // The value NaN is not below any limit, so that it gives a warning.
+  CheckResult
+  make_check_result(const std::string &check,
+                    const std::string &pair,
+                    const double       value,
+                    const double       limit,
+                    const std::string &message,
+                    const std::string &advice)
+  {
+    CheckResult check_result;
+    check_result.check   = check;
+    check_result.where   = "pair " + pair;
+    check_result.value   = value;
+    check_result.limit   = limit;
+    check_result.outcome = value <= limit ? Outcome::passed : Outcome::warned;
+    check_result.message = message;
+    check_result.advice  = advice;
+    return check_result;
+  }
+
+
+
   namespace
   {
-    /// Areas and extreme values of the contact of one pair, over all ranks.
-    struct ContactExtent
-    {
-      /// Area of active points, and of all candidates.
-      double active = 0, candidates = 0;
-      /// Area and number of the faces that carry pressure.
-      double touched_faces = 0, n_touched = 0;
-      double smallest_reference_gap = std::numeric_limits<double>::max();
-      /// Smallest cosine between the slave normal and the opposite master normal where there is
-      /// pressure.
-      double smallest_normal_alignment = 1;
-      /// Mean penetration [length] over the active area.
-      double penetration = 0;
-      /// Largest overlap [length] at any integration point.
-      double deepest = 0;
-      // Extreme reference gaps of active points:
-      double largest_reference_gap = -std::numeric_limits<double>::max(),
-             least_reference_gap   = -largest_reference_gap;
-      /// Largest pressure, largest stiffness times depth (a modulus), and largest penalty.
-      double pressure = 0, modulus = 0, epsilon = 0;
-    };
-
-    /// @return the extent of a pair. Collective.
-    template <int dim>
-    ContactExtent
-    contact_extent_of(const Snapshot<dim> &s, const unsigned int pair)
-    {
-      ContactExtent extent;
-      auto          which = s.contact.origin.pair.begin();
-      for (const auto i : s.active.locally_owned_elements())
-        if (*which++ == pair)
-          {
-            // Sums and extreme values over the rows of the gap operator.
-            extent.active += s.active(i) * s.contact.weight(i);
-            extent.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
-            extent.candidates += s.contact.weight(i);
-            extent.smallest_reference_gap =
-              std::min(extent.smallest_reference_gap, s.contact.reference_gap(i));
-            if (s.active(i) == 0)
-              continue;
-            extent.least_reference_gap =
-              std::min(extent.least_reference_gap, s.contact.reference_gap(i));
-            extent.largest_reference_gap =
-              std::max(extent.largest_reference_gap, s.contact.reference_gap(i));
-            extent.pressure = std::max(extent.pressure, std::abs(s.pressure(i)));
-            extent.epsilon  = std::max(extent.epsilon, s.contact.coefficients.epsilon(i));
-          }
-      // Faces that carry pressure, and extreme values at the contact points, which may be deeper
-      // than the rows.
-      const PointValues values = point_values(s, pair);
-      struct Face
-      {
-        double area    = 0;
-        bool   touched = false;
-      };
-      std::map<unsigned int, Face> faces;
-      for (std::size_t q = 0; q < values.pressure.size(); ++q)
-        {
-          Face &face = faces[s.surfaces[pair].points[q].face];
-          face.area += s.surfaces[pair].points[q].weight;
-          extent.deepest = std::max(extent.deepest, -values.gap[q]);
-          face.touched |= values.pressure[q] > 0;
-          const ContactPoint<dim> &point = s.surfaces[pair].points[q];
-          extent.modulus                 = std::max(extent.modulus, point.stiffness * point.depth);
-          if (values.pressure[q] > 0)
-            extent.smallest_normal_alignment =
-              std::min(extent.smallest_normal_alignment, point.normal_alignment);
-        }
-      for (const auto &[number, face] : faces)
-        if (face.touched)
-          {
-            extent.touched_faces += face.area;
-            extent.n_touched += 1;
-          }
-      // Reduce over all ranks.
-      const MPI_Comm comm = s.elasticity.mesh().communicator();
-      for (double *sum : {&extent.active,
-                          &extent.candidates,
-                          &extent.penetration,
-                          &extent.touched_faces,
-                          &extent.n_touched})
-        *sum = Utilities::MPI::sum(*sum, comm);
-      if (extent.active > 0)
-        extent.penetration /= extent.active;
-      for (double *least : {&extent.smallest_reference_gap,
-                            &extent.smallest_normal_alignment,
-                            &extent.least_reference_gap})
-        *least = Utilities::MPI::min(*least, comm);
-      for (double *most : {&extent.largest_reference_gap,
-                           &extent.deepest,
-                           &extent.pressure,
-                           &extent.modulus,
-                           &extent.epsilon})
-        *most = Utilities::MPI::max(*most, comm);
-      return extent;
-    }
-
-    /// @return the result of a check of a pair: passed up to the limit, otherwise a warning.
-    CheckResult
-    make_check_result(const std::string &check,
-                      const std::string &pair,
-                      const double       value,
-                      const double       limit,
-                      const std::string &message,
-                      const std::string &advice)
-    {
-      CheckResult check_result;
-      check_result.check   = check;
-      check_result.where   = "pair " + pair;
-      check_result.value   = value;
-      check_result.limit   = limit;
-      check_result.outcome = value <= limit ? Outcome::passed : Outcome::warned;
-      check_result.message = message;
-      check_result.advice  = advice;
-      return check_result;
-    }
-
     /// Check that a pair touches in any load step.
+    /// A pair that touches in one load step is in order, so that the best step is reported.
     CheckResult
     check_pair_active(const std::string &name, const ContactExtent &extent)
     {
@@ -154,89 +55,6 @@ namespace Signorini
       return check_result;
     }
 
-    /// @return the smallest gap to an obstacle on a face that steepest descent from a parameter
-    /// finds: the parameter moves against the obstacle's normal as long as the gap decreases;
-    /// otherwise the step is halved, until it is below 1e-3 of the face. Infinite if the normals
-    /// there do not oppose each other.
-    template <int dim>
-    double
-    gap_along_descent(const Configuration<dim> &configuration,
-                      const Obstacle<dim>      &obstacle,
-                      const RigidPose<dim>     &pose,
-                      const FacePatch<dim>     &face,
-                      Point<dim - 1>            xi)
-    {
-      constexpr unsigned int most  = 40;
-      constexpr double       least = 1e-3; // of the face
-      const auto             at    = [&](const Point<dim - 1> &there) {
-        return configuration.closest(obstacle, pose, face.position(there));
-      };
-      ObstaclePoint<dim> place = at(xi);
-      double             step  = face.diameter();
-      for (unsigned int i = 0; i < most && step > least * face.diameter(); ++i)
-        {
-          // The step along the face that reduces the gap most: the negative normal of the obstacle,
-          // projected onto the tangents by the inverse metric.
-          const auto                  tangents = face.tangents(xi);
-          SymmetricTensor<2, dim - 1> metric;
-          Tensor<1, dim - 1>          along;
-          for (unsigned int a = 0; a < dim - 1; ++a)
-            {
-              along[a] = -step * (tangents[a] * place.normal);
-              for (unsigned int b = a; b < dim - 1; ++b)
-                metric[a][b] = tangents[a] * tangents[b];
-            }
-          Point<dim - 1> next = xi + invert(metric) * along;
-          for (unsigned int a = 0; a < dim - 1; ++a)
-            next[a] = std::clamp(next[a], 0., 1.);
-          const ObstaclePoint<dim> there = at(next);
-          if (there.gap < place.gap)
-            {
-              xi    = next;
-              place = there;
-            }
-          else
-            step /= 2;
-        }
-      return faces_each_other(face.normal(xi), place.normal) ? place.gap :
-                                                               std::numeric_limits<double>::max();
-    }
-
-    /// The deepest penetration of an obstacle into a surface.
-    struct ObstacleTip
-    {
-      /// Depth [length], and size [length] of the face where it is deepest.
-      double depth = 0, face = 0;
-    };
-
-    /// @return the deepest penetration of an obstacle, which may be so small that it is between the
-    /// integration points. Collective.
-    template <int dim>
-    ObstacleTip
-    deepest_tip(const Obstacle<dim> &obstacle, const Snapshot<dim> &s, const std::string &surface)
-    {
-      const Configuration<dim> configuration(s.elasticity, s.displacement);
-      const BoundaryFaces<dim> faces(configuration, surface);
-      const RigidPose<dim>     pose   = configuration.pose(obstacle);
-      const double             length = s.elasticity.rotation_length_scale();
-      const QGauss<dim - 1>    starts(2);
-      ObstacleTip              tip;
-      for (unsigned int i = 0; i < faces.patches.size(); ++i)
-        {
-          const FacePatch<dim> &face = faces.patches[i];
-          if (!obstacle.shape->has_closest_point(faces.rest[i].center(), length) ||
-              configuration.closest(obstacle, pose, face.center()).gap > face.diameter())
-            continue;
-          for (const Point<dim - 1> &xi : starts.get_points())
-            if (const double depth = -gap_along_descent(configuration, obstacle, pose, face, xi);
-                depth > tip.depth)
-              tip = {depth, face.diameter() / std::sqrt(dim - 1.)};
-        }
-      const MPI_Comm comm  = s.elasticity.mesh().communicator();
-      const double   depth = Utilities::MPI::max(tip.depth, comm);
-      return {depth, Utilities::MPI::max(tip.depth == depth ? tip.face : 0., comm)};
-    }
-
     /// Check for penetration without pressure: a body that touches within a face may have a
     /// positive mean gap over the face, which is all that multipliers take into account.
     CheckResult
@@ -245,6 +63,7 @@ namespace Signorini
                                          const ObstacleTip   &tip,
                                          const double         facets)
     {
+      // Depths up to the height of facets are no penetration of the true surfaces.
       const double depth        = std::max(0., tip.depth - facets);
       CheckResult  check_result = make_check_result(
         "penetration without pressure / face size",
@@ -255,6 +74,8 @@ namespace Signorini
           " within faces that carry no pressure, because the slave mesh does not resolve the master",
         "refine the slave, or exchange Slave and Master");
       check_result.aggregation = CheckResult::Aggregation::last;
+      // Without any pressure the solution lacks the contact altogether: this is no question of
+      // accuracy.
       if (check_result.outcome == Outcome::warned)
         check_result.outcome = Outcome::failed;
       return check_result;
@@ -304,8 +125,9 @@ namespace Signorini
     {
       const FacetHeight slave  = s.elasticity.mesh().facet_height(s.pairs[pair].slave),
                         master = s.elasticity.mesh().facet_height(s.pairs[pair].master);
-      FacetHeight  steeper     = slave.slope() > master.slope() ? slave : master;
-      const double height      = steeper.height;
+      // The surface whose facets are steeper perturbs the gap more.
+      FacetHeight  steeper = slave.slope() > master.slope() ? slave : master;
+      const double height  = steeper.height;
       // Matching facets have no gaps between them.
       if (std::min(slave.height, master.height) > 0)
         steeper.height =
@@ -321,105 +143,10 @@ namespace Signorini
         "second-order elements with curved sides");
     }
 
-    /// @return 1 at nodes with neighbours on all sides, 0 at those at the edge of the surface:
-    /// there the mean of the neighbours is off the node by at least a third of their root mean
-    /// square distance (on regular meshes).
-    LA::Vector
-    within_surface(const GapOperator &contact)
-    {
-      constexpr double off = 0.3;
-      LA::Vector       all = contact.zero(), rest = all, offset = all, distance = all;
-      all = 1.;
-      for (LA::Vector x : contact.geometry.position)
-        {
-          x.add(-x.mean_value());
-          LA::Vector squares = x;
-          squares.scale(x);
-          const LA::Vector mean = contact.origin.regions.means_of_neighbours(all, x, rest),
-                           mean_square =
-                             contact.origin.regions.means_of_neighbours(all, squares, rest);
-          for (const auto i : x.locally_owned_elements())
-            {
-              offset(i) += std::pow(mean(i) - x(i), 2);
-              distance(i) += mean_square(i) - 2 * mean(i) * x(i) + x(i) * x(i);
-            }
-        }
-      for (const auto i : all.locally_owned_elements())
-        all(i) = offset(i) < off * distance(i) ? 1. : 0.;
-      all.compress(VectorOperation::insert);
-      return all;
-    }
-
-    /// Check the pressure for node-to-node oscillation: the share of nodes where it alternates by
-    /// more than two percent of the largest pressure. Let z be the difference of the pressure at a
-    /// node from the mean of its neighbours. For an alternating pressure of amplitude a on a
-    /// regular mesh z = l a, and the neighbours have -r l a in the mean, with l = 2, r = 1 along a
-    /// line and l = 4/3, r = 1/3 on a surface; hence a^2 = -z z_neighbours/(l^2 r). For smooth
-    /// pressures z has the same sign at neighbours, irregular meshes give any sign, and at edges,
-    /// where the pressure is singular, it alternates at a few nodes only. At the edge of the
-    /// surface all neighbours are on one side, so that z is a gradient: these nodes are excluded.
-    /// Open nodes between active ones count with their pressure zero. Steep pressures alternate
-    /// once beside an edge; therefore the neighbours have to alternate as well. Pressures of the
-    /// size of rounding do not count, tensions of pairs without separation do.
-    template <int dim>
-    CheckResult
-    check_pressure_oscillation(const Snapshot<dim> &s,
-                               const unsigned int   pair,
-                               const ContactExtent &extent)
-    {
-      constexpr double scale = dim == 2 ? 4. : 16. / 27, little = 0.02, few = 5, rounding = 1e-9;
-      const bool       counts_at_all =
-        extent.pressure >
-        rounding * extent.modulus * s.displacement.linfty_norm() / s.elasticity.mesh().size();
-      const GapOperator &contact = s.contact;
-      // Nodes of other pairs do not count; open nodes all of whose neighbours are active do.
-      LA::Vector active = s.active, inner = contact.zero(), innermost = contact.zero();
-      auto       which = contact.origin.pair.begin();
-      for (const auto i : active.locally_owned_elements())
-        if (*which++ != pair)
-          active(i) = 0;
-      active.compress(VectorOperation::insert);
-      inner = 1.; // means are requested at all nodes
-      const LA::Vector of_pressed =
-        contact.origin.regions.means_of_neighbours(inner, active, innermost);
-      for (const auto i : active.locally_owned_elements())
-        if (of_pressed(i) > 1 - 1e-9)
-          active(i) = 1;
-      active.compress(VectorOperation::insert);
-      // The excess z of each node, and the product -z z_neighbours in the mean; nodes at the edge
-      // of the surface are excluded.
-      LA::Vector more = contact.origin.regions.means_of_neighbours(active, s.pressure, inner);
-      inner.scale(within_surface(contact));
-      more.sadd(-1, 1, s.pressure);
-      LA::Vector turns   = contact.origin.regions.means_of_neighbours(inner, more, innermost),
-                 ignored = inner;
-      for (const auto i : more.locally_owned_elements())
-        turns(i) *= -more(i);
-      turns.compress(VectorOperation::insert);
-      // The same product at the neighbours, which must alternate as well.
-      const LA::Vector around =
-        contact.origin.regions.means_of_neighbours(innermost, turns, ignored);
-      const double most             = scale * std::pow(little * extent.pressure, 2);
-      double       is_significant[] = {0, 0};
-      for (const auto i : more.locally_owned_elements())
-        if (innermost(i) > 0)
-          {
-            is_significant[0] += turns(i) > most && around(i) > 0;
-            is_significant[1] += 1;
-          }
-      Utilities::MPI::sum(is_significant, s.elasticity.mesh().communicator(), is_significant);
-      return make_check_result(
-        "pressure oscillation",
-        s.pairs[pair].name,
-        counts_at_all && is_significant[1] >= few ? is_significant[0] / is_significant[1] : 0.,
-        1. / 3,
-        "the pressure oscillates from node to node by more than 2 % of its "
-        "largest value at that fraction of the nodes",
-        "exchange Slave and Master, refine the master, or choose another method");
-    }
-
     /// Check the rounding error of the pressure, for methods whose pressure is the gap times a
     /// stiffness.
+    /// Displacements have a relative error of about 1e-16 in double precision. Multiplied by the
+    /// penalty it is an error of the pressure.
     template <int dim>
     CheckResult
     check_penalty_roundoff(const Snapshot<dim> &s,
@@ -450,8 +177,9 @@ namespace Signorini
       double strain = 0;
       for (const Extremes &body : extremes)
         strain = std::max(strain, body.gradient);
-      const bool   is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
-      const double width    = is_plane ? extent.active : std::sqrt(extent.active);
+      const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      // The contact area is a length in plane models; otherwise its root is taken as the width.
+      const double width = is_plane ? extent.active : std::sqrt(extent.active);
       return make_check_result(
         "penetration / deformation",
         s.pairs[pair].name,
@@ -480,6 +208,9 @@ namespace Signorini
       check_result.limit       = few;
       if (extent.n_touched == 0)
         return check_result;
+      // The active area in units of the mean area of a touched face. In space the diameter of the
+      // disc of that area counts, in the plane the length. Quadratic elements have two nodes for
+      // each face.
       const double faces  = extent.active / (extent.touched_faces / extent.n_touched);
       const double across = dim == 2 ? faces : std::sqrt(faces * 4 / numbers::PI);
       check_result.value  = degree * across;
@@ -501,6 +232,7 @@ namespace Signorini
     CheckResult
     check_partial_contact(const std::string &name, const ContactExtent &extent)
     {
+      // Of a few faces most are at an edge of the contact area, so that the share says nothing.
       constexpr unsigned int few = 4; // for fewer faces see check_contact_resolution()
       CheckResult            check_result;
       check_result.check       = "contact area / area of contact faces";
@@ -532,6 +264,8 @@ namespace Signorini
     std::vector<CheckResult>  check_results;
     const std::vector<double> displacements =
       largest_displacements(now.elasticity, now.displacement);
+    // All calls that communicate are made for each pair on all ranks alike, since their conditions
+    // are reduced values.
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
       {
         const ContactPair<dim>    &pair     = now.pairs[i];
@@ -547,6 +281,7 @@ namespace Signorini
             tip = deepest;
         if (!pair.found)
           check_results.push_back(check_pair_active(pair.name, extent));
+        // While an initial overlap is applied gradually, part of it is penetration on purpose.
         if (pair.can_separate && pair.interference.value({}, now.time) == 1)
           check_results.push_back(check_missed_penetration_of_obstacle(
             pair.name,
@@ -557,6 +292,7 @@ namespace Signorini
         if (extent.active == 0 ||
             !is_significant(results["pairs"][pair.name]["normal_force"], scale))
           continue;
+        // Updated contact geometry has no restriction on sliding.
         if (now.contact.at_rest())
           check_results.push_back(check_small_sliding(now, pair, obstacle, displacements));
         check_results.push_back(

@@ -109,6 +109,8 @@ namespace Signorini
           corners[i] = moved(cell, GeometryInfo<dim>::face_to_cell_vertices(face, i));
           result.center += corners[i] / n;
         }
+      // The box is enlarged by half of the depth of the cell: penetrations are detected up to that
+      // depth, and curved faces leave the box of their corners.
       result.box = {corners[0], corners[0]};
       for (const Point<dim> &x : corners)
         {
@@ -146,9 +148,8 @@ namespace Signorini
               const std::vector<Face<dim>>            &faces,
               const std::function<bool(unsigned int)> &belongs)
     {
+      // One box for each body and kind of this rank; all ranks get all boxes, which are few.
       std::map<std::pair<unsigned int, unsigned int>, Box<dim>> boxes;
-      // First round: faces whose box meets the box of a group of another body, with which no pair
-      // monitors contact, or that may be in an obstacle.
       for (unsigned int i = 0; i < faces.size(); ++i)
         if (belongs(i))
           boxes.insert({{mesh.body(faces[i].cell), faces[i].kind}, faces[i].box})
@@ -170,6 +171,8 @@ namespace Signorini
               const MonitoredSurfaces<dim> &watched)
     {
       const double length = configuration.elasticity().rotation_length_scale();
+      // A face may touch an obstacle if its centre is closer than its radius. Obstacles that are
+      // not defined near the face are left out.
       for (const Obstacle<dim> &obstacle : scene.obstacles)
         if (!watched.is_monitored(face.kind, obstacle.name) &&
             obstacle.shape->has_closest_point(face.center, length) &&
@@ -198,6 +201,9 @@ namespace Signorini
     };
     for (unsigned int i = 0; i < faces.size(); ++i)
       {
+        // First round: faces whose box meets the box of a group of another body, with which no pair
+        // monitors contact, or that may be in an obstacle. Boxes of the same body always meet, and
+        // are left out.
         is_in_body[i]    = std::any_of(groups.begin(), groups.end(), [&](const Group<dim> &group) {
           return meets(faces[i], group) && !watched.is_monitored(faces[i].kind, group.kind);
         });
@@ -212,6 +218,8 @@ namespace Signorini
           std::any_of(asking.begin(), asking.end(), [&](const Group<dim> &group) {
             return meets(faces[i], group);
           }))
+        // The value tells the faces that may penetrate (whose points are tested) from those that
+        // are only needed as opposite surfaces.
         found[{faces[i].cell->active_cell_index(), faces[i].face}] = may_penetrate[i];
   }
 

@@ -13,6 +13,8 @@ namespace Signorini
     check_result.check       = "not imported";
     check_result.aggregation = CheckResult::Aggregation::best; // a history may begin with nothing
     std::string acting;
+    // Features that the program does not model, such as friction, are left out here: see
+    // SkippedItem::acts().
     for (const SkippedItem &one : skipped_in(scene.skipped_items))
       if (one.acts())
         {

@@ -16,12 +16,15 @@ namespace Signorini
     bool
     may_be_symmetry(const Support<dim> &support, const Tensor<1, dim> &normal)
     {
+      // A support that begins or ends is no property of the geometry.
       if (support.from > 0 || support.until > 0)
         return false;
       if (support.type != SupportType::displacement)
         return support.type == SupportType::symmetry;
       for (unsigned int d = 0; d < dim; ++d)
         {
+          // Prescribed components are along the axes, so that only planes normal to an axis
+          // qualify.
           const bool is_normal = std::abs(normal[d]) > 1 - 1e-6;
           if (support.displacement.prescribed(d) != is_normal || !support.displacement.is_zero(d))
             return false;
@@ -50,6 +53,9 @@ namespace Signorini
               centers += patch.center();
               normals += patch.normal(Point<dim - 1>());
             }
+          // Without faces n is zero, and the comparison below is false for NaN. All faces count
+          // alike, whatever their area is: the mean of unit vectors is shorter than one unless all
+          // agree.
           const double n = Utilities::MPI::sum(faces.rest.size(), comm);
           normals        = Utilities::MPI::sum(normals, comm) / n;
           centers =

@@ -30,6 +30,8 @@ namespace Signorini
     bool
     replaces(const CheckResult &now, const CheckResult &before)
     {
+      // For `best` an earlier result is replaced if it was worse, so that one good load step
+      // suffices.
       switch (now.aggregation)
         {
           case CheckResult::Aggregation::last:
@@ -57,6 +59,7 @@ namespace Signorini
   {
     for (const CheckResult &now : of_step)
       {
+        // Name and place identify a check.
         const auto same = std::find_if(entries.begin(), entries.end(), [&](const Entry &entry) {
           return entry.check_result.check == now.check && entry.check_result.where == now.where;
         });
@@ -88,6 +91,7 @@ namespace Signorini
     nlohmann::ordered_json checks = nlohmann::ordered_json::array();
     for (const auto &[check_result, time] : entries)
       {
+        // Texts are composed by the checks whatever their outcome, and are wrong if nothing is.
         const bool passed = check_result.outcome == Outcome::passed;
         checks.push_back({{"check", check_result.check},
                           {"where", check_result.where},
@@ -119,6 +123,8 @@ namespace Signorini
                                  number(check.at("limit"))};
         check_result.message = check.at("message");
         check_result.advice  = check.at("advice");
+        // The name is compared with those of all outcomes; the aggregation is not stored, because
+        // later load steps bring their own.
         for (const Outcome outcome : {Outcome::passed, Outcome::warned, Outcome::failed})
           if (check.at("outcome") == name(outcome))
             check_result.outcome = outcome;
@@ -141,6 +147,7 @@ namespace Signorini
     out << "\n  Verdict: " << n_passed << " of " << entries.size() << " checks passed\n";
     for (const auto &[check_result, time] : entries)
       if (check_result.outcome != Outcome::passed)
+        // Numbers with three digits are enough to compare a value with its limit.
         out << "    " << (check_result.outcome == Outcome::warned ? "WARNED  " : "FAILED  ")
             << title(check_result) << ": " << std::defaultfloat << std::setprecision(3)
             << check_result.value << ", limit " << check_result.limit << ", t = " << time

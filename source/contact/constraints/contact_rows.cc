@@ -144,6 +144,8 @@ namespace Signorini
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         {
           for (const auto &point : surfaces[p].points)
+            // The functions sum up to one, so that the areas of all nodes sum up to the area with a
+            // projection. Dual functions are negative in places, hence absolute values below.
             for (const auto &[node, value] : point.multiplier_shape)
               areas[{p, node}][0] += value * point.weight;
           if (!surfaces[p].is_apart)
@@ -180,6 +182,7 @@ namespace Signorini
             if (face.degree == 0)
               continue;
             result.push_back({face_id(p, face), {}});
+            // A hanging node has the value that its masters give it, as a combination of rows.
             const auto lattice = face_lattice<dim>(face.degree);
             for (unsigned int k = 0; k < face.nodes.size(); ++k)
               {

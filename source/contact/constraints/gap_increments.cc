@@ -46,8 +46,8 @@ namespace Signorini
 
 
 
-  template <int dim>
   // (u^S - u^M) . n at each point, from shape functions and nodal values, without assembling rows.
+  template <int dim>
   std::vector<double>
   gap_increments(const std::vector<const ContactPoint<dim> *> &points, const LA::Vector &u)
   {

@@ -169,6 +169,8 @@ namespace Signorini
     second_variation.directions.assign(tangents.begin(), tangents.end());
     for (unsigned int a = 0; a < m; ++a)
       {
+        // w is the displacement of the slave relative to the obstacle: rigid rows have the opposite
+        // sign.
         add_row(pose.row(x, tangents[a]), -1);
         for (unsigned int b = 0; b <= a; ++b)
           C.set(a, b, tangents[a] * (obstacle_point.curvature * tangents[b]));

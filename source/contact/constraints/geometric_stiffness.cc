@@ -42,6 +42,7 @@ namespace Signorini
       vmult_add(LA::Vector &dst, const LA::Vector &v, const double factor) const override
       {
         const std::size_t n_owned = exchange.n_owned();
+        // The arrays are members, since products are frequent and their size does not change.
         u.assign(n_owned + exchange.n_ghosts(), 0.);
         std::copy_n(LA::values_of(v), n_owned, u.begin());
         // Extend v to the constrained components.
@@ -65,6 +66,8 @@ namespace Signorini
 
         // Forces on constrained components are condensed into the others.
         exchange.add(f.data() + n_owned, f.data());
+        // Forces first return to their owners: ties are between components of one node, which its
+        // owner has.
         for (const auto &[line, other, share] : ties)
           f[other] += share * f[line];
         for (const auto line : fixed)
@@ -108,6 +111,8 @@ namespace Signorini
         };
         for (const LoadedPoint<dim> &point : points)
           {
+            // Points whose nodes have no number at all cost nothing; those of one pair of faces
+            // have the same names as the point before.
             name_dofs(point, names, named);
             if (named.empty())
               continue;

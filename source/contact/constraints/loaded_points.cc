@@ -36,15 +36,17 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
   // The rows R_i of a point applied to a vector, in the order: directions . (u^S - u^M), with the
   // rigid rows of obstacles added; then for bodies the slopes of the master along of_master, and of
   // the slave along of_slave.
+  template <int dim>
+  void
   LoadedPoint<dim>::evaluate_rows(const double *u, std::vector<double> &R) const
   {
-    const auto           element = [u](const std::size_t slot) { return u[slot]; };
-    const Tensor<1, dim> jump    = value_at(slave, element) - value_at(master, element);
+    const auto element = [u](const std::size_t slot) { return u[slot]; };
+    // Obstacles have no nodes, so that the jump is that of the slave; their motion enters by the
+    // rigid rows.
+    const Tensor<1, dim> jump = value_at(slave, element) - value_at(master, element);
     R.assign(n_rows(), 0.);
     unsigned int next = 0;
     for (const Tensor<1, dim> &direction : directions)
@@ -75,9 +77,9 @@ namespace Signorini
 
 
 
+  // The transpose of evaluate_rows(): dst += sum_i s_i R_i.
   template <int dim>
   void
-  // The transpose of evaluate_rows(): dst += sum_i s_i R_i.
   LoadedPoint<dim>::add_rows(const std::vector<double> &s, double *dst) const
   {
     unsigned int   next = 0;
@@ -185,6 +187,8 @@ namespace Signorini
       // tangential ones.
       FullMatrix<double> C(size, size);
       const auto         slot = [&](const unsigned int i) { return i < m ? i : i + 1; };
+      // Rows w, n.u_M,a of the pressure: the latter come after the normal jump, which the traction
+      // needs in addition.
       for (unsigned int a = 0; a < 2 * m; ++a)
         for (unsigned int b = 0; b < 2 * m; ++b)
           C(slot(a), slot(b)) = point.factors[a * 2 * m + b];
@@ -249,6 +253,7 @@ namespace Signorini
       {
         for (const LA::Vector &component : traction)
           {
+            // A point may have shares of rows that other ranks own.
             components.emplace_back(rows.owned, rows.writable, comm);
             components.back() = component;
           }

@@ -53,6 +53,8 @@ namespace Signorini
     double
     area_of(const FacePatch<dim> &patch, const Model model)
     {
+      // The area is compared with that of the points with a projection, to see how much of the face
+      // is covered; two points in each direction are enough for that.
       const QGauss<dim - 1> rule(2);
       double                area = 0;
       for (unsigned int q = 0; q < rule.size(); ++q)

@@ -108,6 +108,7 @@ namespace Signorini
 
     maximise_over_ranks(number);
 
+    // Two active nodes of a face are connected on each rank that has the face.
     Connected sets(n);
     for (const Numbers &face : faces)
       {
@@ -156,6 +157,8 @@ namespace Signorini
 
 
 
+  // Sums of values over the points of each region, given to all of its points; zero at points that
+  // are not in. Collective.
   LA::Vector
   ContactRegions::sums(const LA::Vector &in, const LA::Vector &values) const
   {

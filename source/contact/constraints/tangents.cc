@@ -116,9 +116,11 @@ namespace Signorini
         frame.normal                = rest.normal(xi);
         frame.parameters            = parameters_of(rest, xi);
         frame.deformation           = deformation_of(rest, now, xi);
-        frame.apart                 = now.position(xi) - master_point.position;
-        frame.deformation_at_start  = frame.deformation; // no slip
-        frame.apart_at_start        = frame.apart;
+        // The vector from the projection to the slave point, now and at the start of the step: the
+        // slip is the change of its tangential part (equation 5.16).
+        frame.apart                = now.position(xi) - master_point.position;
+        frame.deformation_at_start = frame.deformation; // no slip
+        frame.apart_at_start       = frame.apart;
         if (slave.start.empty())
           continue;
         frame.deformation_at_start = deformation_of(rest, slave.start[face], xi);
@@ -152,6 +154,7 @@ namespace Signorini
 
 
 
+  // The mean reference normal of a row, of unit length.
   template <int dim>
   Tensor<1, dim>
   Tangents<dim>::normal(const types::global_dof_index row) const

@@ -35,6 +35,8 @@ namespace Signorini
       };
       if (std::none_of(row.begin(), row.end(), hangs))
         return false;
+      // Entries of masters are appended, and those of hanging nodes removed in the end. Constraints
+      // are closed, so that masters do not hang.
       const std::size_t n = row.size();
       for (std::size_t i = 0; i < n; ++i)
         if (const auto *entries = hanging.get_constraint_entries(index_of(row[i])))
@@ -150,6 +152,8 @@ namespace Signorini
           Node       node{fe.component_to_system_index(0, i), {}};
           const auto xi = face_parameter<dim>(face, scalar.unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
+            // The number of the node along the parameter is found by its position, so that it does
+            // not depend on the numbering of deal.II.
             while (std::abs(places[node.place[d]][0] - xi[d]) > 1e-10)
               ++node.place[d];
           result.nodes[face].push_back(node);

@@ -35,6 +35,8 @@ namespace Signorini
     halves(const unsigned int child, const unsigned int face, const unsigned int dim)
     {
       std::array<unsigned int, 2> result{};
+      // Parameter d of face f is the coordinate (f/2 + 1 + d) modulo dim of the cell: bit by bit
+      // the number of the child is the half in each coordinate.
       for (unsigned int d = 0; d + 1 < dim; ++d)
         result[d] = (child >> ((face / 2 + 1 + d) % dim)) & 1;
       return result;
@@ -129,6 +131,7 @@ namespace Signorini
       Eigen::Vector3d b = Eigen::Vector3d::Zero();
       for (const SurfacePointValue &value : values)
         {
+          // The summand keeps the weight of points at nearly the same position finite.
           const double          square = distance_square(value.place, place) + 1e-6;
           const double          weight = 1 / (square * square);
           const Eigen::Vector3d terms(1, value.place[0] - place[0], value.place[1] - place[1]);

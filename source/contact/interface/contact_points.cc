@@ -179,6 +179,8 @@ namespace Signorini
       const Model model = elasticity.model();
       if (model != Model::axisymmetric || integration.rule != Rule::nodes)
         return measure(model, patch.position(xi));
+      // Nodes of degrees 1 and 2 are equidistant, so that the parameter tells the number of the
+      // node.
       const unsigned int    node = std::lround(xi[0] * k);
       const QGauss<dim - 1> rule(k + 2);
       double                sum = 0, area = 0;
@@ -201,6 +203,8 @@ namespace Signorini
   double
   gap_of(const Point<dim> &x, const MasterProjection<dim> &master_point)
   {
+    // A gap that is rounding of the coordinates counts as closed, so that surfaces that coincide in
+    // the scene have no points with gaps of either sign.
     const double gap      = (x - master_point.position) * master_point.normal;
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * x.norm();
     return std::abs(gap) <= rounding ? 0. : gap;
@@ -208,6 +212,8 @@ namespace Signorini
 
 
 
+  // Weights that were computed on current faces become those of reference areas, over which
+  // pressures are integrated.
   template <int dim>
   void
   weigh_by_reference_area(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired)
@@ -219,6 +225,8 @@ namespace Signorini
 
 
 
+  // The points of a pair with all that rows, forces and stresses need of them. Local: what belongs
+  // to the master came with the projections.
   template <int dim>
   std::vector<ContactPoint<dim>>
   contact_points(const Configuration<dim>            &configuration,

@@ -56,6 +56,8 @@ namespace Signorini
             const LoadedContactPoints<dim> &points,
             const MPI_Comm                  comm)
     {
+      // Within one slave face the surfaces of a pair that touches have a projection; what is
+      // farther away counts as lost.
       const BoundaryFaces<dim>         master(now, pair.master);
       std::vector<Point<dim>>          positions;
       std::vector<Tensor<1, dim>>      normals;
@@ -146,6 +148,8 @@ namespace Signorini
           sums[5] += force;
       }
     Utilities::MPI::sum(sums, comm, sums);
+    // The width of the contact area, its mean modulus and mean pressure are the scales of the
+    // error: modulus times gap over width is the pressure that the error of the gap causes.
     const double width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
                  pressure = sums[0] / sums[1];
     // A pressure that is rounding beside the modulus does not measure anything.

@@ -56,6 +56,8 @@ namespace Signorini
 
 
 
+  // The projections of the points of whole slave faces onto an obstacle. Every rank knows all
+  // obstacles, so that nothing is exchanged.
   template <int dim>
   std::vector<PairedPoint<dim>>
   obstacle_points(const Configuration<dim>          &configuration,

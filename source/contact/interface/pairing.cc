@@ -170,6 +170,8 @@ namespace Signorini
     std::vector<unsigned int>
     covered_twice(const std::vector<double> &areas, const std::vector<PairedPoint<dim>> &points)
     {
+      // Weights are areas on the slave, so that their sum is the area that master faces cover, with
+      // multiplicity.
       std::vector<double> covered(areas.size(), 0.);
       for (const PairedPoint<dim> &point : points)
         covered[point.face] += point.weight;
@@ -210,6 +212,7 @@ namespace Signorini
     remove_overcovered(const std::vector<FacePatch<dim>> &slave,
                        std::vector<PairedPoint<dim>>     &points)
     {
+      // Areas and weights are both those of the current configuration.
       const std::vector<double> areas = areas_of(slave);
       std::vector<unsigned int> faces = covered_twice(areas, points);
       if (faces.empty())
@@ -297,6 +300,8 @@ namespace Signorini
 
 
 
+  // The integration points are those of an earlier search, so that only the projections change.
+  // Collective.
   template <int dim>
   std::vector<PairedPoint<dim>>
   reproject_points(const SlaveSide<dim>                          &slave,
@@ -319,6 +324,8 @@ namespace Signorini
                   const double                       limit,
                   std::vector<PairedPoint<dim>>     &points)
   {
+    // A face is kept or dropped as a whole: with points on a part of a face only, its pressure
+    // functions would be cut off at the search radius.
     std::vector<bool> is_near(slave.size(), false);
     for (const PairedPoint<dim> &point : points)
       {

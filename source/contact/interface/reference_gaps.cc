@@ -27,12 +27,15 @@ namespace Signorini
       std::vector<Point<dim>>     positions;
       std::vector<Tensor<1, dim>> normals;
       double                      farthest = limit;
+      // Positions and normals of the reference configuration, at the same parameters of the face.
+      // The radius is that of the largest face, and the same on all ranks.
       for (const PairedPoint<dim> &point : paired)
         {
           positions.push_back(slave.rest[point.face].position(point.xi));
           normals.push_back(slave.rest[point.face].normal(point.xi));
           farthest = std::max(farthest, search_radius(slave.rest[point.face], limit));
         }
+      // No shape functions or stiffness are needed of the projections.
       const MasterFaces<dim> faces{master.rest,
                                    [](unsigned int, const Point<dim - 1> &, auto &) {}};
       const auto             master_points = find_master_projections(
@@ -47,6 +50,9 @@ namespace Signorini
 
 
 
+  // Settings that refer to the undeformed bodies: a given gap, closed gaps, bilateral points, and
+  // interference other than at once. Otherwise the gap of the displaced configuration is all that
+  // counts, and the second search is saved.
   template <int dim>
   bool
   needs_reference_gaps(const ContactPair<dim> &pair)
@@ -57,6 +63,8 @@ namespace Signorini
 
 
 
+  // Gaps at the points of a displaced configuration, as they were in the reference configuration.
+  // Collective.
   template <int dim>
   std::vector<double>
   reference_gaps(const Elasticity<dim>         &elasticity,

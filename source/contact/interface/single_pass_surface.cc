@@ -316,6 +316,8 @@ namespace Signorini
       void
       make_points()
       {
+        // The order matters: integration points are stored before points without a reference gap
+        // are dropped.
         std::vector<double> gaps;
         if (!at_rest)
           {

@@ -44,6 +44,8 @@ namespace Signorini
         point.weight /= 2;
       for (auto &entry : surface.full_face_shapes)
         entry.second /= 2;
+      // The list gets an entry for each face of this side, so that the numbers of the other side
+      // begin after them.
       surface.slave_faces.resize(surface.faces);
       surface.slave_faces.insert(surface.slave_faces.end(),
                                  other.slave_faces.begin(),
@@ -72,8 +74,8 @@ namespace Signorini
 
 
 
-  template <int dim>
   // Sums of the weights of contact points over the area of all slave faces, over all ranks.
+  template <int dim>
   double
   covered_share(const ContactSurface<dim> &surface, const MPI_Comm comm)
   {

@@ -39,6 +39,7 @@ namespace Signorini
 
 
 
+  // The status that the law would choose at each point, by its trial traction.
   LA::Vector
   ContactLaw::status(const PointVectors &trial) const
   {
@@ -92,6 +93,7 @@ namespace Signorini
 
 
 
+  // Internal variables at the end of the step, with the tangential components of vectors only.
   InternalFields
   ContactLaw::internal(const LawInputs &in, const LA::Vector &status) const
   {

@@ -40,6 +40,9 @@ namespace Signorini
       ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
+        // Coordinates height along the axis and s across it. The flank is height = -s tan(angle),
+        // with the outward normal (cosine, sine); the distance from it is the product with that
+        // normal.
         const Tensor<1, dim> n      = normal / normal.norm();
         const Tensor<1, dim> r      = x - apex;
         const double         height = r * n;
@@ -55,7 +58,9 @@ namespace Signorini
         if constexpr (dim == 3)
           {
             const Tensor<1, dim> around = cross_product_3d(n, across / s);
-            curvature                   = sine / s * outer_product(around, around);
+            // A cone is straight along its flank; around the axis the curvature at x is sine over
+            // the distance from the axis.
+            curvature = sine / s * outer_product(around, around);
           }
         return {height * cosine + s * sine, cosine * n + sine / s * across, curvature};
       }

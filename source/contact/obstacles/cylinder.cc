@@ -35,6 +35,7 @@ namespace Signorini
       ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
+        // In space only the part across the axis counts.
         Tensor<1, dim> r = x - center;
         if (dim == 3)
           r -= (r * axis) / axis.norm_square() * axis;
@@ -48,6 +49,7 @@ namespace Signorini
         if (dim == 3)
           curvature -= outer_product(axis, axis) / axis.norm_square();
         curvature /= distance;
+        // In a bore the body is inside: gap, normal and curvature change their signs.
         return hollow ? ObstaclePoint<dim>{radius - distance, -n, -curvature} :
                         ObstaclePoint<dim>{distance - radius, n, curvature};
       }

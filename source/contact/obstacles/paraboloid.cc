@@ -39,9 +39,11 @@ namespace Signorini
       ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
-        const Tensor<1, dim> n      = normal / normal.norm();
-        const Tensor<1, dim> r      = x - apex;
-        const double         height = r * n;
+        const Tensor<1, dim> n = normal / normal.norm();
+        const Tensor<1, dim> r = x - apex;
+        // Points of the surface have height = - s^2/(2 R) at the distance s from the axis, so that
+        // the gap along the axis is the sum of both.
+        const double height = r * n;
         return {height + (r.norm_square() - height * height) / (2 * radius), n};
       }
 
@@ -72,6 +74,8 @@ namespace Signorini
                 const double          slope,
                 const double          gap) const
       {
+        // The curvature k of the surface at its closest point becomes k/(1 + k gap) on the parallel
+        // surface through x.
         const auto   at_gap = [gap](const double k) { return k / (1 + k * gap); };
         const double square = 1 + slope * slope, stretch = std::sqrt(square),
                      along = at_gap(1 / (radius * stretch * square));

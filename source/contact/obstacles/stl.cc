@@ -37,6 +37,8 @@ namespace Signorini
       {
         try
           {
+            // The path of the scene is kept in absolute form where the file exists, so that the
+            // scene can be written to another folder.
             const std::string path = find_beside_scene(file, folder);
             if (file_exists(path))
               file = std::filesystem::absolute(path).lexically_normal(); // for the written scene
@@ -52,6 +54,7 @@ namespace Signorini
           }
       }
 
+      // In the plane declare() has refused the shape already.
       ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {

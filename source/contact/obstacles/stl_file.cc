@@ -75,6 +75,8 @@ namespace Signorini
       {
         if (!std::isfinite(p.norm()))
           fail("has a vertex that is no number");
+        // Files list the three vertices of each triangle, so that each vertex occurs about six
+        // times, with the same digits. Only equal vertices connect triangles.
         const unsigned int n       = triangles.vertices.size();
         const auto [entry, is_new] = index_of.insert({{{p[0], p[1], p[2]}}, n});
         if (is_new)
@@ -90,6 +92,8 @@ namespace Signorini
       read_binary()
       {
         for (std::size_t facet = header_size; facet < text.size(); facet += facet_size)
+          // Vector 0 of a facet is its normal, which is ignored: it follows from the order of the
+          // vertices.
           for (unsigned int v = 1; v < 4; ++v)
             {
               Point<3> p;

@@ -134,7 +134,10 @@ namespace Signorini
     const auto     &c = corners[triangle];
     const Point<3> &p = vertices[c[0]], &q = vertices[c[1]], &r = vertices[c[2]];
     const Vector    a = q - p, b = r - p;
-    const double    ap = a * (x - p), bp = b * (x - p), aq = a * (x - q), bq = b * (x - q),
+    // The signs of the products of the edges a, b with the arms from the corners tell in whose
+    // region x lies: of a corner if both are beyond it, of an edge if x is outside of the triangle
+    // there.
+    const double ap = a * (x - p), bp = b * (x - p), aq = a * (x - q), bq = b * (x - q),
                  ar = a * (x - r), br = b * (x - r);
     const auto at_vertex = [&](const unsigned int i) {
       return TrianglePoint{vertices[c[i]], vertex_normals[c[i]], false};
@@ -194,7 +197,9 @@ namespace Signorini
           }
         seen = farthest > smallest ? tree.size() : entries.size();
       }
-    const Vector arm  = x - best.point;
+    const Vector arm = x - best.point;
+    // With pseudonormals the sign is right also where the closest point is a corner or an edge; the
+    // normal of one of the triangles there may give the wrong one.
     const double sign = arm * best.normal < 0 ? -1 : 1;
     if (best.inside)
       return {arm * best.normal, best.normal};

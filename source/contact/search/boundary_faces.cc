@@ -54,6 +54,7 @@ namespace Signorini
 
 
 
+  // All lists are reduced alike, so that the numbers of faces stay consistent.
   template <int dim>
   BoundaryFaces<dim>
   BoundaryFaces<dim>::among(const std::vector<bool> &chosen) const
@@ -73,6 +74,7 @@ namespace Signorini
 
 
 
+  // The size h of the cell normal to its face [length].
   template <int dim>
   double
   BoundaryFaces<dim>::depth(const unsigned int i) const
@@ -111,8 +113,8 @@ namespace Signorini
     public:
       using Cell = typename Triangulation<dim>::active_cell_iterator;
 
-      void
       /// Add a face: each of its sides, with the halves that finer neighbours have.
+      void
       add(const Cell &cell, const unsigned int face)
       {
         for (unsigned int side = 0; side < 2 * (dim - 1); ++side)

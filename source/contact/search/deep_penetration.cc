@@ -118,6 +118,8 @@ namespace Signorini
 
 
 
+  // Overlaps that are prescribed by a formula of the gap are no overlaps of the geometry, and a
+  // surface overlaps with itself always.
   template <int dim>
   bool
   may_overlap(const Mesh<dim> &mesh, const ContactPair<dim> &pair)
@@ -128,6 +130,8 @@ namespace Signorini
 
 
 
+  // A lower bound by the middles of the faces. It is needed only where the search radius would be
+  // too small to find the penetrating points at all. Collective.
   template <int dim>
   double
   penetration_beyond(const double              distance,

@@ -38,6 +38,8 @@ namespace Signorini
       return hessian;
     }
 
+    // Gradient and Hessian (3.2); the Gauss-Newton matrix is positive definite wherever the
+    // tangents are independent.
     template <int dim>
     QuadraticModel<dim>
     model_at(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &xi)
@@ -111,6 +113,8 @@ namespace Signorini
       return best;
     }
 
+    // The parameter after a step, in the square also with rounding: bounds are compared exactly
+    // later.
     template <int n>
     Point<n>
     moved(const Point<n> &xi, const Tensor<1, n> &step)
@@ -141,6 +145,8 @@ namespace Signorini
     {
       const Point<dim> start = x + m.residual;
       const double     slack = rounding(x, face) * m.residual.norm();
+      // Armijo's condition with 1e-4 of the predicted decrease. The slack admits steps whose change
+      // of f is rounding, otherwise the last step before convergence could be refused.
       for (double damping = 1; damping > 1e-5; damping /= 2)
         {
           const Point<dim - 1> trial    = moved(xi, damping * step);
@@ -159,6 +165,10 @@ namespace Signorini
 
 
 
+  // Projected Newton method for (1.8) with the Hessian (3.2). Each step minimises the quadratic
+  // model over the parameter square exactly. It ends where a step moves the point by rounding only;
+  // the result is a minimum if the model is convex there. At most 30 steps; project() has other
+  // means where this fails.
   template <int dim>
   bool
   descend_to_minimum(const Point<dim> &x, const FacePatch<dim> &face, Point<dim - 1> &xi)
@@ -174,7 +184,9 @@ namespace Signorini
             upper[d] = 1 - xi[d];
           }
         const Tensor<1, dim - 1> step = constrained_minimiser(m.gradient, m.hessian, lower, upper);
-        Tensor<1, dim>           way;
+        // The step in space, which unlike the parameters has a length to compare with the size of
+        // the face.
+        Tensor<1, dim> way;
         for (unsigned int d = 0; d < dim - 1; ++d)
           way += step[d] * m.tangents[d];
         if (way.norm() <= tolerance)

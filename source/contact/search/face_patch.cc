@@ -50,6 +50,7 @@ namespace Signorini
     double
     lebesgue_bound(const unsigned int k)
     {
+      // By the degree, from 0 on; rounded up.
       constexpr std::array<double, max_degree + 1> line = {{1., 1., 1.25, 1.64, 2.21}};
       return Utilities::fixed_power<dim - 1>(line[k]);
     }
@@ -61,6 +62,8 @@ namespace Signorini
     Tensor<1, dim>
     largest_deviation(const std::vector<Point<dim>> &nodes, const unsigned int k)
     {
+      // In the plane a face is one row of nodes, and the corners of the upper row coincide with
+      // those of the lower one, whose weight 1 - t is one.
       const unsigned int rows = dim == 3 ? k : 0, top = rows * (k + 1);
       Tensor<1, dim>     largest;
       for (unsigned int j = 0; j <= rows; ++j)
@@ -181,6 +184,7 @@ namespace Signorini
 
 
 
+  // The geometry is the same; evaluations of a multilinear face cost less.
   template <int dim>
   void
   FacePatch<dim>::keep_corners()
@@ -195,6 +199,7 @@ namespace Signorini
 
 
 
+  // Sum of nodes times Lagrange polynomials (equation 3.1).
   template <int dim>
   Point<dim>
   FacePatch<dim>::position(const Parameter &xi) const
@@ -205,6 +210,8 @@ namespace Signorini
 
 
 
+  // First derivatives of the position by the parameters [length]; their length is the size of the
+  // face, as parameters are in [0, 1].
   template <int dim>
   std::array<Tensor<1, dim>, dim - 1>
   FacePatch<dim>::tangents(const Parameter &xi) const
@@ -222,6 +229,7 @@ namespace Signorini
 
 
 
+  // Second derivatives of the position by the parameters [length], symmetric in both indices.
   template <int dim>
   std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1>
   FacePatch<dim>::curvatures(const Parameter &xi) const
@@ -296,6 +304,8 @@ namespace Signorini
 
 
 
+  // The mean of the nodes, which may lie beside a curved face; it is used in searches by distance
+  // only.
   template <int dim>
   Point<dim>
   FacePatch<dim>::center() const

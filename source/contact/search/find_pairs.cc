@@ -200,6 +200,8 @@ namespace Signorini
     std::set<BoundaryPair>
     meeting_boundaries(const Surfaces<dim> &surfaces, const double distance, const MPI_Comm comm)
     {
+      // The tree answers in logarithmic time which faces are near one; without it all pairs of
+      // faces would be compared.
       std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
       for (unsigned int i = 0; i < surfaces.all.size(); ++i)
         boxes.emplace_back(surfaces.all[i].box(0), i);
@@ -246,6 +248,7 @@ namespace Signorini
       for (const Face<dim> &face : faces)
         {
           const ObstaclePoint<dim> point_on_obstacle = shape.closest(face.center);
+          // The centre stands for the face; half of its diameter is added to the distance.
           if (std::abs(point_on_obstacle.gap) <= distance + face.size / 2 &&
               faces_each_other(face.normal, point_on_obstacle.normal))
             result.insert(face.boundary);
@@ -328,6 +331,7 @@ namespace Signorini
       pair.found            = true;
       result.push_back(pair);
     };
+    // The set is sorted and the same on all ranks, and so is the list of pairs.
     for (const auto &[a, b] : meeting_boundaries(surfaces, distance, mesh.communicator()))
       if (first_is_slave(fine[a], fine[b], moduli))
         add(names[a], names[b]);

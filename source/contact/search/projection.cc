@@ -49,6 +49,10 @@ namespace Signorini
                 double                half_width,
                 Point<dim - 1>       &xi)
     {
+      // The grid is centred at the best point so far, and shrinks by 0.6 a round: about 60 rounds
+      // from the spacing of the samples to 1e-13. Points of a grid are half of its half width
+      // apart; with a factor above one half the next grid reaches beyond the neighbours of the best
+      // point.
       double best = x.distance_square(face.position(xi));
       for (; half_width > 1e-13; half_width *= 0.6)
         {

@@ -12,6 +12,7 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // The box of faces on all ranks; boxes of faces enclose them also where they are curved.
   template <int dim>
   BoundingBox<dim>
   box_of(const std::vector<FacePatch<dim>> &patches, const MPI_Comm comm)
@@ -105,6 +106,7 @@ namespace Signorini
 
 
 
+  // By boundary id, so that any boundary of a scene, which is a set of ids, can be looked up.
   template <int dim>
   std::vector<double>
   largest_displacements(const Elasticity<dim> &elasticity, const LA::Vector &u)
@@ -136,6 +138,7 @@ namespace Signorini
 
 
 
+  // An upper bound of the decrease of the gap.
   template <int dim>
   double
   largest_approach(const Elasticity<dim>     &elasticity,

@@ -14,48 +14,14 @@ namespace Signorini
 
   namespace
   {
-    /// Set the center and the orthonormal axes of the mean plane of a facet (2D: its line). In
-    /// space its normal is that of the cross product of the diagonals, which is the mean normal of
-    /// the bilinear facet.
-    template <int dim>
-    void
-    set_plane(Facet<dim> &facet)
-    {
-      const auto &x = facet.corners;
-      auto       &t = facet.axes;
-      if constexpr (dim == 2)
-        {
-          facet.center = (x[0] + x[1]) / 2.;
-          t[0]         = (x[1] - x[0]) / x[0].distance(x[1]);
-        }
-      else
-        {
-          facet.center          = (x[0] + x[1] + x[2] + x[3]) / 4.;
-          Tensor<1, dim> normal = cross_product_3d(x[3] - x[0], x[2] - x[1]);
-          normal /= normal.norm();
-          t[0] = x[1] - x[0];
-          t[0] -= (t[0] * normal) * normal;
-          t[0] /= t[0].norm();
-          t[1] = cross_product_3d(normal, t[0]);
-        }
-    }
-
-    /// The unit normal of the mean plane of a facet, oriented by its parameters.
-    template <int dim>
-    Tensor<1, dim>
-    normal(const Facet<dim> &facet)
-    {
-      if constexpr (dim == 2)
-        return cross_product_2d(facet.axes[0]);
-      else
-        return cross_product_3d(facet.axes[0], facet.axes[1]);
-    }
-
     template <int n>
     using Flat = std::array<Point<n>, (1 << n)>; // a facet in a plane
 
     /// The corners of a facet projected along the normal of another one, in the coordinates of its
     /// plane.
+    /// In the coordinates of the plane along its axes, with the centre of the facet as origin: all
+    /// further computations are with differences of nearby points, also far from the origin of the
+    /// model.
     template <int dim>
     Flat<dim - 1>
     project(const Facet<dim> &facet, const Facet<dim> &plane)
@@ -82,7 +48,9 @@ namespace Signorini
         }
       else
         {
-          s                       = Point<n>(0.5, 0.5);
+          s = Point<n>(0.5, 0.5);
+          // x(s) = x0 + s0 edge + s1 other + s0 s1 warp. The Jacobian matrix has the columns a and
+          // b; its inverse is written by Cramer's rule.
           const Tensor<1, n> edge = x[1] - x[0], other = x[2] - x[0],
                              warp = (x[3] - x[2]) - (x[1] - x[0]);
           for (unsigned int step = 0; step < 30; ++step)
@@ -124,6 +92,8 @@ namespace Signorini
     signed_area(const Polygon &p)
     {
       double area = 0;
+      // The sum over the triangles of the first corner and each side; with corners relative to the
+      // first one nothing cancels far from the origin.
       for (std::size_t i = 0; i + 1 < p.size(); ++i)
         area += cross(p[i].x - p[0].x, p[i + 1].x - p[0].x) / 2;
       return area;
@@ -134,6 +104,9 @@ namespace Signorini
     Polygon
     counterclockwise(const Flat<2> &x)
     {
+      // Around the facet: from corner 0 along the side s1 = 0 (number 2), then s0 = 1 (1), s1 = 1
+      // (3) and s0 = 0 (0). A facet that is seen from its other side has a clockwise projection,
+      // and its order is reversed.
       Polygon p = {{x[0], 2}, {x[1], 1}, {x[3], 3}, {x[2], 0}};
       if (signed_area(p) < 0)
         p = {{x[2], 3}, {x[3], 1}, {x[1], 2}, {x[0], 0}};
@@ -157,6 +130,8 @@ namespace Signorini
               const auto &[a, side]  = polygon[j];
               const Point<2> &b      = polygon[(j + 1) % polygon.size()].x;
               const double    left_a = cross(edge, a - start), left_b = cross(edge, b - start);
+              // A corner on the edge itself is kept. If the polygon leaves the window there, the
+              // side that begins at it is part of the window from now on.
               if (left_a >= 0)
                 kept.push_back({a, left_a == 0 && left_b < 0 ? none : side});
               if ((left_a > 0 && left_b < 0) || (left_a < 0 && left_b > 0))
@@ -172,6 +147,8 @@ namespace Signorini
     std::vector<std::array<Point<1>, 2>>
     intersection(const Flat<1> &a, const Flat<1> &b)
     {
+      // The interval of one facet in the line of the other, whatever the direction of its parameter
+      // is.
       const double lower = std::max(std::min(a[0][0], a[1][0]), std::min(b[0][0], b[1][0])),
                    upper = std::min(std::max(a[0][0], a[1][0]), std::max(b[0][0], b[1][0]));
       if (lower >= upper)
@@ -223,6 +200,8 @@ namespace Signorini
       const auto [lower, upper] = std::minmax(a[0][0], a[1][0]);
       std::vector<Piece<1>> pieces;
       for (unsigned int c = 0; c < 2; ++c)
+        // In the plane the sides of a facet are its two ends; the outward direction is away from
+        // the other end.
         if (b[c][0] >= lower && b[c][0] <= upper)
           pieces.push_back({{{b[c], 1.}}, Tensor<1, 1>({b[c][0] > b[1 - c][0] ? 1. : -1.}), c});
       return pieces;
@@ -238,6 +217,7 @@ namespace Signorini
       std::vector<Piece<2>> pieces;
       for (std::size_t i = 0; i < p.size(); ++i)
         {
+          // The polygon is counterclockwise, so that its outside is to the right of each side.
           const Tensor<1, 2> along  = p[(i + 1) % p.size()].x - p[i].x;
           const double       length = along.norm();
           if (p[i].side == none || length == 0)
@@ -294,56 +274,7 @@ namespace Signorini
         xi[d] = std::clamp((facet.place[d] + s[d]) / per_line, 0., 1.);
       return xi;
     }
-  } // namespace
 
-
-
-  template <int dim>
-  FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
-    : patch(patch)
-  {
-    // A face of degree k is divided into k facets in each direction, between neighbouring nodes.
-    const unsigned int per_line = patch.get_degree(), n = Utilities::fixed_power<dim - 1>(per_line);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        Facet<dim> facet;
-        for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
-          facet.place[d] = rest % per_line;
-        for (unsigned int c = 0; c < facet.n_corners; ++c)
-          {
-            Point<dim - 1> xi;
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              xi[d] = double(facet.place[d] + ((c >> d) & 1)) / per_line;
-            facet.corners[c] = patch.position(xi);
-          }
-        set_plane(facet);
-        facets.push_back(facet);
-      }
-  }
-
-
-
-  template <int dim>
-  BoundingBox<dim>
-  FacetedFace<dim>::extruded_box(const double search_radius) const
-  {
-    // Extend the box of the face by the corners of the facets, displaced by the radius along their
-    // normals in both directions.
-    BoundingBox<dim> box = patch.box();
-    for (const Facet<dim> &facet : facets)
-      {
-        const Tensor<1, dim> step = search_radius * normal(facet);
-        for (const Point<dim> &corner : facet.corners)
-          for (const Point<dim> &x : {corner + step, corner - step})
-            box.merge_with(BoundingBox<dim>({x, x}));
-      }
-    return box;
-  }
-
-
-
-  namespace
-  {
     /// A facet of the slave and one of the master, projected onto the plane of the former.
     template <int dim>
     struct FacetPair
@@ -434,8 +365,6 @@ namespace Signorini
 
 
 
-  template struct FacetedFace<2>;
-  template struct FacetedFace<3>;
   template std::vector<SegmentEdgePoint<2>>
   segment_edge_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, unsigned int);
   template std::vector<SegmentEdgePoint<3>>

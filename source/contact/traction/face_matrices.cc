@@ -59,6 +59,7 @@ namespace Signorini
       for (unsigned int i = 0; i < shares.size(); ++i)
         {
           const auto frame_of_row = tangents.at(shares[i].row, frame, point.direction);
+          // Slave minus master, along the tangents that the row has at this point.
           for (const double sign : {1., -1.})
             for (const NodeShapeFunction<dim> &function : sign > 0 ? point.slave : point.master)
               for (unsigned int d = 0; d < dim; ++d)
@@ -103,6 +104,8 @@ namespace Signorini
         }
       sort_and_remove_duplicates(matrix.rows);
       sort_and_remove_duplicates(matrix.columns);
+      // Either all points of a surface have rows of the stress, or none has: it depends on the
+      // method.
       const bool with_stress = !surface.points[first].stress.empty();
       matrix.displacement.reinit(matrix.rows.size(), matrix.columns.size());
       if (with_stress)

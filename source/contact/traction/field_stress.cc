@@ -22,6 +22,7 @@ namespace Signorini
              const std::vector<ContactSurface<dim>> &surfaces,
              const GapOperator                      &contact)
     {
+      // The same loop is used twice: for the pattern, and for the values.
       const auto for_entries = [&](const auto &visit) {
         for (unsigned int p = 0; p < surfaces.size(); ++p)
           for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
@@ -69,6 +70,8 @@ namespace Signorini
 
 
 
+  // Columns are not displacements but the coefficients of temperature and of the volumetric stress.
+  // S and S_thermal are assembled apart, because the latter have numberings of their own.
   template <int dim>
   void
   assemble_field_stress(const Elasticity<dim>                  &elasticity,

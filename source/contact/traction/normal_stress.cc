@@ -68,6 +68,7 @@ namespace Signorini
 
 
 
+  // Consecutive points are mostly in the same cell, whose nodes and indices are then kept.
   template <int dim>
   void
   NormalStress<dim>::reinit(const Cell &new_cell)
@@ -88,6 +89,8 @@ namespace Signorini
 
 
 
+  // dx/dxi of the geometry at any point of the reference cell, also on its faces: columns are the
+  // derivatives along the reference coordinates.
   template <int dim>
   Tensor<2, dim>
   NormalStress<dim>::jacobian(const Point<dim> &unit_point) const
@@ -135,6 +138,8 @@ namespace Signorini
 
 
 
+  // The row of n . sigma m with global indices: n is the contact normal, m the outward normal of
+  // the face on which the traction acts.
   template <int dim>
   SparseRow
   NormalStress<dim>::row(const Point<dim>     &unit_point,
@@ -194,6 +199,7 @@ namespace Signorini
         const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, unit_x);
         for (unsigned int d = 0; d < dim; ++d)
           {
+            // Row d of V multiplies the gradient of component d.
             double &sum = result[fe.component_to_system_index(d, i)];
             for (unsigned int e = 0; e < dim; ++e)
               sum += V[d][e] * gradient[e];
@@ -254,6 +260,8 @@ namespace Signorini
     const Tensor<1, 3>          now           = cofactor / j;
     // Derivatives as tensors V with d(.) = V : dF: of j, and of the force n . (P N) + p n . (j
     // m_c).
+    // dj = j (F^-T - m_c (x) F^-1 m_c) : dF, the derivative of the length of the cofactor (Nanson's
+    // formula); the load term is the derivative of p j m_c . n.
     const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
     const double       p        = load.pressure;
     const Tensor<2, 3> of_force =
@@ -319,6 +327,8 @@ namespace Signorini
 
 
 
+  // The part m n . m of the normal stress of bodies in displacement-pressure form, over the
+  // coefficients of the volumetric stress.
   template <int dim>
   SparseRow
   NormalStress<dim>::volumetric_row(const Point<dim>     &unit_point,
@@ -348,9 +358,10 @@ namespace Signorini
     if (!volumetric.is_on(*cell))
       return 0;
     constexpr unsigned int n = VolumetricStress<dim>::functions_per_cell;
-    const QGauss<dim - 1>  rule(3);
-    const FacePatch<dim>   patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
-    Eigen::MatrixXd        values(n, rule.size()); // times the square roots of the areas
+    // The functions are linear, so that their products are integrated exactly on plane faces.
+    const QGauss<dim - 1> rule(3);
+    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
+    Eigen::MatrixXd       values(n, rule.size()); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
         const Point<dim> x    = patch.position(rule.point(q));
@@ -375,6 +386,8 @@ namespace Signorini
   NormalStress<dim>::bound(const unsigned int face)
   {
     const unsigned int n = indices.size();
+    // The stiffness of the cell at small strain: its quadratic form is twice the energy of a
+    // virtual displacement.
     FullMatrix<double> stiffness;
     kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
     Eigen::MatrixXd K(n, n);
@@ -402,6 +415,8 @@ namespace Signorini
     Eigen::VectorXd           scale    = modes.values;
     for (unsigned int i = 0; i < n; ++i)
       scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
+    // The product with its transpose is the smaller one, as many rows as Gauss points on the face,
+    // and has the same largest eigenvalue.
     const Eigen::MatrixXd scaled = stress * modes.vectors * scale.asDiagonal();
     return bound_of_volumetric_stress(face) +
            eigenvalues_of_symmetric(scaled * scaled.transpose()).maxCoeff();

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/search/boundary_faces.h"
+#include "contact/search/search.h"
+#include "fields/point_values.h"
+#include "verdict/pair_checks.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// @return the smallest gap to an obstacle on a face that steepest descent from a parameter
+    /// finds: the parameter moves against the obstacle's normal as long as the gap decreases;
+    /// otherwise the step is halved, until it is below 1e-3 of the face. Infinite if the normals
+    /// there do not oppose each other.
+    template <int dim>
+    double
+    gap_along_descent(const Configuration<dim> &configuration,
+                      const Obstacle<dim>      &obstacle,
+                      const RigidPose<dim>     &pose,
+                      const FacePatch<dim>     &face,
+                      Point<dim - 1>            xi)
+    {
+      constexpr unsigned int most  = 40;
+      constexpr double       least = 1e-3; // of the face
+      const auto             at    = [&](const Point<dim - 1> &there) {
+        return configuration.closest(obstacle, pose, face.position(there));
+      };
+      ObstaclePoint<dim> place = at(xi);
+      double             step  = face.diameter();
+      for (unsigned int i = 0; i < most && step > least * face.diameter(); ++i)
+        {
+          // The step along the face that reduces the gap most: the negative normal of the obstacle,
+          // projected onto the tangents by the inverse metric.
+          const auto                  tangents = face.tangents(xi);
+          SymmetricTensor<2, dim - 1> metric;
+          Tensor<1, dim - 1>          along;
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            {
+              along[a] = -step * (tangents[a] * place.normal);
+              for (unsigned int b = a; b < dim - 1; ++b)
+                metric[a][b] = tangents[a] * tangents[b];
+            }
+          Point<dim - 1> next = xi + invert(metric) * along;
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            next[a] = std::clamp(next[a], 0., 1.);
+          const ObstaclePoint<dim> there = at(next);
+          if (there.gap < place.gap)
+            {
+              xi    = next;
+              place = there;
+            }
+          else
+            step /= 2;
+        }
+      return faces_each_other(face.normal(xi), place.normal) ? place.gap :
+                                                               std::numeric_limits<double>::max();
+    }
+  } // namespace
+
+
+
+  // Two passes: over the rows of the gap operator, which carry pressures and areas, and over the
+  // points of integration, which know faces and normals. Rows of other pairs are skipped. Sums of
+  // penetrations have the sign of a depth.
+  template <int dim>
+  ContactExtent
+  contact_extent_of(const Snapshot<dim> &s, const unsigned int pair)
+  {
+    ContactExtent extent;
+    auto          which = s.contact.origin.pair.begin();
+    for (const auto i : s.active.locally_owned_elements())
+      if (*which++ == pair)
+        {
+          // Sums and extreme values over the rows of the gap operator.
+          extent.active += s.active(i) * s.contact.weight(i);
+          extent.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
+          extent.candidates += s.contact.weight(i);
+          extent.smallest_reference_gap =
+            std::min(extent.smallest_reference_gap, s.contact.reference_gap(i));
+          if (s.active(i) == 0)
+            continue;
+          extent.least_reference_gap =
+            std::min(extent.least_reference_gap, s.contact.reference_gap(i));
+          extent.largest_reference_gap =
+            std::max(extent.largest_reference_gap, s.contact.reference_gap(i));
+          extent.pressure = std::max(extent.pressure, std::abs(s.pressure(i)));
+          extent.epsilon  = std::max(extent.epsilon, s.contact.coefficients.epsilon(i));
+        }
+    // Faces that carry pressure, and extreme values at the contact points, which may be deeper
+    // than the rows.
+    const PointValues values = point_values(s, pair);
+    struct Face
+    {
+      double area    = 0;
+      bool   touched = false;
+    };
+    // A face with pressure at any of its points counts as touched; its whole area is compared with
+    // that of the active rows.
+    std::map<unsigned int, Face> faces;
+    for (std::size_t q = 0; q < values.pressure.size(); ++q)
+      {
+        Face &face = faces[s.surfaces[pair].points[q].face];
+        face.area += s.surfaces[pair].points[q].weight;
+        extent.deepest = std::max(extent.deepest, -values.gap[q]);
+        face.touched |= values.pressure[q] > 0;
+        const ContactPoint<dim> &point = s.surfaces[pair].points[q];
+        extent.modulus                 = std::max(extent.modulus, point.stiffness * point.depth);
+        if (values.pressure[q] > 0)
+          extent.smallest_normal_alignment =
+            std::min(extent.smallest_normal_alignment, point.normal_alignment);
+      }
+    for (const auto &[number, face] : faces)
+      if (face.touched)
+        {
+          extent.touched_faces += face.area;
+          extent.n_touched += 1;
+        }
+    // Reduce over all ranks.
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    // Number of touched faces and areas are sums, since each face belongs to one rank.
+    for (double *sum : {&extent.active,
+                        &extent.candidates,
+                        &extent.penetration,
+                        &extent.touched_faces,
+                        &extent.n_touched})
+      *sum = Utilities::MPI::sum(*sum, comm);
+    // The integral of the penetration becomes its mean over the active area.
+    if (extent.active > 0)
+      extent.penetration /= extent.active;
+    for (double *least : {&extent.smallest_reference_gap,
+                          &extent.smallest_normal_alignment,
+                          &extent.least_reference_gap})
+      *least = Utilities::MPI::min(*least, comm);
+    for (double *most : {&extent.largest_reference_gap,
+                         &extent.deepest,
+                         &extent.pressure,
+                         &extent.modulus,
+                         &extent.epsilon})
+      *most = Utilities::MPI::max(*most, comm);
+    return extent;
+  }
+
+
+
+  template <int dim>
+  ObstacleTip
+  deepest_tip(const Obstacle<dim> &obstacle, const Snapshot<dim> &s, const std::string &surface)
+  {
+    // Each face starts the descent at its Gauss points, so that two minima in one face are found.
+    // Faces farther away than their own diameter cannot penetrate between these points.
+    const Configuration<dim> configuration(s.elasticity, s.displacement);
+    const BoundaryFaces<dim> faces(configuration, surface);
+    const RigidPose<dim>     pose   = configuration.pose(obstacle);
+    const double             length = s.elasticity.rotation_length_scale();
+    const QGauss<dim - 1>    starts(2);
+    ObstacleTip              tip;
+    for (unsigned int i = 0; i < faces.patches.size(); ++i)
+      {
+        const FacePatch<dim> &face = faces.patches[i];
+        if (!obstacle.shape->has_closest_point(faces.rest[i].center(), length) ||
+            configuration.closest(obstacle, pose, face.center()).gap > face.diameter())
+          continue;
+        for (const Point<dim - 1> &xi : starts.get_points())
+          if (const double depth = -gap_along_descent(configuration, obstacle, pose, face, xi);
+              depth > tip.depth)
+            tip = {depth, face.diameter() / std::sqrt(dim - 1.)};
+      }
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    // The size is that of the face with the deepest point; ranks that have less contribute zero.
+    const double depth = Utilities::MPI::max(tip.depth, comm);
+    return {depth, Utilities::MPI::max(tip.depth == depth ? tip.face : 0., comm)};
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template ContactExtent contact_extent_of(const Snapshot<dim> &, unsigned int);                   \
+  template ObstacleTip   deepest_tip(const Obstacle<dim> &,                                        \
+                                     const Snapshot<dim> &,                                        \
+                                     const std::string &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini
