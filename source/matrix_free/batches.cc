@@ -80,6 +80,8 @@ namespace Signorini
     my_fills.resize(n_batches * width);
     if (n_batches == 0)
       return;
+    // Affine batches have ten numbers a cell, all others ten for each Gauss point. The offsets
+    // follow from first_of(), so that the end of the last entry is the size.
     my_geometry.resize(n_batches == n_affine ? first_of(n_affine - 1, 0) + 10 * width :
                                                first_of(n_batches - 1, n_nodes - 1) + 10 * width);
     // Interleave the data of the cells of a batch: lane w of batch b has the cell in slot b W + w.

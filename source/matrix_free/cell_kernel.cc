@@ -38,6 +38,8 @@ namespace Signorini
                  const Lanes<Number> (&G)[3][3],
                  Lanes<Number> (&S)[3][3]) const
       {
+        // The moduli are multiplied by the weight first: two products instead of one for each
+        // stress component.
         const Lanes<Number> m = hn::Mul(mu, w);
         const Lanes<Number> trace =
           hn::Mul(hn::Mul(lambda, w), hn::Add(hn::Add(G[0][0], G[1][1]), G[2][2]));
@@ -87,6 +89,8 @@ namespace Signorini
       {
         const Number *from = batches.geometry(b, q);
         Geometry      at;
+        // Numbers 0 to 8 of a geometry are dxi_d/dx_c, row by row, number 9 is the weight; each is
+        // stored for all lanes in turn.
         for (int k = 0; k < 9; ++k)
           at.inverse[k / 3][k % 3] = load(from + k * W);
         at.weight = load(from + 9 * W);
@@ -239,6 +243,7 @@ namespace Signorini
         for (int q = 0; q < (batches.is_affine(b) ? 1 : n_nodes); ++q)
           {
             Number *const to = batches.geometry(b, q);
+            // Indices are cyclic, so that one formula yields all cofactors with their signs.
             const auto at = [&](const int c, const int d) { return load(J.of[c % 3][d % 3][q]); };
             V          cofactor[3][3], det = hn::Zero(Tag<Number>());
             for (int c = 0; c < 3; ++c)
@@ -250,6 +255,7 @@ namespace Signorini
             for (int d = 0; d < 3; ++d)
               for (int c = 0; c < 3; ++c)
                 store(hn::Div(cofactor[c][d], det), to + (3 * d + c) * W);
+            // Copies that fill up a batch have the factor zero and add nothing to sums.
             const V whole = hn::Mul(det, load(batches.fills(b)));
             store(batches.is_affine(b) ? whole : hn::Mul(whole, all(lattice.unit_weight(q))),
                   to + 9 * W);

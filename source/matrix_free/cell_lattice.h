@@ -111,6 +111,8 @@ namespace Signorini
             contract<0, false, false>(tables.values, at, at);
             contract<1, false, false>(tables.values, at, at);
             contract<2, false, false>(tables.values, at, at);
+            // Derivatives along each direction of the polynomials through the Gauss points, of
+            // which the values are known now. The last three contractions read the same values.
             contract<0, false, false>(tables.derivatives, at, &g.of[c][0][0][0]);
             contract<1, false, false>(tables.derivatives, at, &g.of[c][1][0][0]);
             contract<2, false, false>(tables.derivatives, at, &g.of[c][2][0][0]);
@@ -126,6 +128,7 @@ namespace Signorini
           {
             Number *at = &u.of[c][0][0];
             contract<0, true, false>(tables.derivatives, &g.of[c][0][0][0], at);
+            // The first product overwrites the values, the other two are added.
             contract<1, true, true>(tables.derivatives, &g.of[c][1][0][0], at);
             contract<2, true, true>(tables.derivatives, &g.of[c][2][0][0], at);
             contract<0, true, false>(tables.values, at, at);
@@ -149,6 +152,8 @@ namespace Signorini
         const int node[3] = {i % n, i / n % n, i / (n * n)};
         for (int d = 0; d < 3; ++d)
           {
+            // The derivative of a nodal polynomial is that of the polynomial through its values at
+            // the Gauss points, so that both tables of the sum factorisation suffice.
             gradient[d] = 0;
             for (int k = 0; k < n; ++k)
               gradient[d] += tables.derivatives[at[d]][k] * tables.values[k][node[d]];

@@ -16,6 +16,7 @@ namespace Signorini
       {
         for (unsigned int i = 0; i < n_dofs; i += 3)
           apart.nodes.push_back(n_dofs * apart.size() + i);
+        // Geometry and moduli, or tangents, belong to the cell and are copied; nodes are new.
         const auto copy = [&](const auto &from, const std::size_t n, auto &to) {
           to.insert(to.end(), from.begin() + n * cell, from.begin() + n * (cell + 1));
         };
@@ -44,6 +45,7 @@ namespace Signorini
 
 
 
+  // Entry (i, j) of cell k is in column j at its i-th own degree of freedom.
   FullMatrix<double>
   CellMatrices::matrix(const unsigned int k) const
   {

@@ -54,6 +54,8 @@ namespace Signorini
     kernels.clear();
     for (const KernelCells &cells : space.cells)
       kernels.push_back(make_kernel(cells, vectors));
+    // Terms are what the operator adds to the product of the cells, as pairs of index and diagonal
+    // entry; most degrees of freedom have none.
     terms.clear();
     Number *const d = vectors.zero();
     for (const auto &kernel : kernels)
@@ -101,6 +103,9 @@ namespace Signorini
   std::vector<Number>
   CellOperator<Number>::row_l1_norms() const
   {
+    // Gershgorin's sums need the entries of the matrix. For a sum of cell matrices, the largest
+    // eigenvalue of D^-1 K is at most the largest one of D_e^-1 K_e over its cells, which needs no
+    // matrix.
     Number *const largest = vectors.zero();
     for (const auto &kernel : kernels)
       kernel->enlarge_by_eigenvalues(largest);

@@ -91,6 +91,7 @@ namespace Signorini
 
 
 
+  // Without geometry and moduli, for kernels with tangents, which contain both.
   CellSpace
   bare_cell_space(const Elasticity<dim> &elasticity)
   {

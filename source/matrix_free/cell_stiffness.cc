@@ -22,6 +22,7 @@ namespace Signorini
 
 
 
+  // The product is added where it is, without a vector for it.
   void
   CellStiffness::vmult_add(LA::Vector &dst, const LA::Vector &src) const
   {
@@ -52,7 +53,8 @@ namespace Signorini
     {
       const double *const now = LA::values_of(marker);
       const double *const old = before.size() > 0 ? LA::values_of(before) : nullptr;
-      bool                any = false;
+      // The old marks are empty before the first call: then any mark is new.
+      bool any = false;
       for (unsigned int i = 0; i < marker.locally_owned_size() && !any; ++i)
         any = now[i] != 0 && !(old && old[i] != 0);
       return Utilities::MPI::max(any ? 1 : 0, marker.get_mpi_communicator()) == 1;
@@ -67,6 +69,8 @@ namespace Signorini
       double *const       all = LA::values_of(marked);
       const unsigned int  n   = marker.locally_owned_size();
       for (unsigned int i = 0; i < n; ++i)
+        // The components of a node are three consecutive degrees of freedom of one rank, which
+        // begin at multiples of three.
         if (now[i] != 0)
           std::fill(all + i - i % 3, all + std::min(n, i - i % 3 + 3), 1.);
     }
@@ -104,6 +108,8 @@ namespace Signorini
                 return seen(entry.first) != 0;
               }));
     };
+    // Rows of marked degrees of freedom are complete, others contain a part of their cells only,
+    // and must not be used.
     some_rows = std::make_unique<LA::SparseMatrix>();
     assemble(*some_rows, [&](const Cell &cell) {
       read_indices<3>(cell, indices);
@@ -143,6 +149,8 @@ namespace Signorini
 
 
 
+  // Linear bodies: the same cells in both precisions, in double precision for residuals and Krylov
+  // vectors, in single precision for smoothers.
   MatrixFreeStiffness::MatrixFreeStiffness(const Elasticity<3> &elasticity)
     : CellStiffness(elasticity)
   {

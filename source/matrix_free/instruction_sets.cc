@@ -49,6 +49,8 @@ namespace Signorini
     const std::string name = asked_for.empty() ? set_of_environment() : asked_for;
     if (!name.empty())
       for (const auto target : hwy::SupportedAndGeneratedTargets())
+        // The choice is made in the static state of Highway, which the next dynamic dispatch reads;
+        // the destructor returns to automatic choice.
         if (hwy::TargetName(target) == name)
           hwy::SetSupportedTargetsForTest(target);
   }

@@ -18,6 +18,8 @@ namespace Signorini
     const auto      of_points = Polynomials::generate_complete_Lagrange_basis(rule.get_points());
     for (int q = 0; q < n; ++q)
       {
+        // Nodes are equidistant, as in elements of degree 1 and 2; the number of Gauss points on a
+        // line is that of the nodes.
         const double x = rule.point(q)[0];
         weights[q]     = rule.weight(q);
         for (int i = 0; i < n; ++i)

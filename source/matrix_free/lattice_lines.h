@@ -115,6 +115,8 @@ namespace Signorini
       constexpr int stride = line_stride<direction, n, Number>;
       for (int line = 0; line < n * n; ++line)
         {
+          // The line is in registers before its first result is stored, so that it may be
+          // overwritten.
           const int     first = first_of_line<direction, n, Number>(line);
           Lanes<Number> x[n];
           for (int i = 0; i < n; ++i)

@@ -32,8 +32,10 @@ namespace Signorini
     const auto &triangulation = elasticity.mesh().triangulation();
     const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
                              !(elasticity.is_finite_strain() && has_pressures(elasticity)),
-               has_levels =
-                 elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
+               // Without levels of spaces the hierarchy consists of aggregates of the matrix, which
+               // has to be assembled anyway.
+      has_levels =
+        elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError(
         "Solver/Operator = matrix-free is available in 3D only, for bodies of degree 1 and 2, "
@@ -53,6 +55,8 @@ namespace Signorini
     if constexpr (dim == 3)
       if (form == StiffnessForm::matrix_free)
         return std::make_unique<MatrixFreeStiffness>(elasticity);
+    // A product with the matrix refers to the matrix in `elasticity`, which must outlive the
+    // result.
     elasticity.assemble();
     return std::make_unique<AssembledStiffness>(elasticity.stiffness());
   }

@@ -15,6 +15,7 @@ namespace Signorini
     , my_nodes(n_batches * n_nodes * width)
     , my_tangents(n_batches * n_points * n_tangent_numbers * width, 0.f)
   {
+    // Copies have nodes, so that they read and write valid places, but no tangents.
     for (std::size_t slot = 0; slot < n_batches * width; ++slot)
       {
         const std::size_t cell  = std::min<std::size_t>(slot, cells.size() - 1),

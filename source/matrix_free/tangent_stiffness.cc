@@ -22,6 +22,7 @@ namespace Signorini
 
 
 
+  // The tangent of the undeformed bodies, so that the operator can be used before the first update.
   TangentStiffness::TangentStiffness(const Elasticity<3> &elasticity, DeformationKernel<3> &kernel)
     : CellStiffness(elasticity)
     , kernel(kernel)
@@ -43,6 +44,7 @@ namespace Signorini
     for (KernelCells &cells : space.cells)
       {
         cells.tangents.clear();
+        // Each Gauss point has a tangent, and there are as many of them as nodes in a cell.
         cells.tangents.reserve(std::size_t(cells.size()) * cells.nodes_per_cell());
       }
     Vector<double> values;

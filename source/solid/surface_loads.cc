@@ -30,6 +30,8 @@ namespace Signorini
 
 
 
+  // Loads are stored by boundary id, so that a face finds its own without a search. Total forces
+  // need the area of their boundaries first.
   template <int dim>
   SurfaceLoads<dim>::SurfaceLoads(const Mesh<dim>              &mesh,
                                   const hp::FECollection<dim>  &elements,

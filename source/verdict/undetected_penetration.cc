@@ -113,7 +113,8 @@ namespace Signorini
                                                                 Outcome::warned;
     const std::string name  = "'" + watched.name(largest.surface) + "' penetrates ",
                       depth = " by up to " + short_text(largest.depth, 2);
-    const auto pair         = [&](const std::string &master) {
+    // The advice names both surfaces, ready to be written into the scene.
+    const auto pair = [&](const std::string &master) {
       return "add a pair with Slave = " + watched.name(largest.surface) + ", Master = " + master +
              " to Contact pairs if these surfaces can touch";
     };
@@ -155,6 +156,8 @@ namespace Signorini
       }
     if (largest.is_inactive)
       {
+        // Inactive pairs are those of two surfaces or with an obstacle; the messages about both
+        // contain these words.
         const std::string words = ", where no pair detects contact";
         check_result.message.replace(check_result.message.find(words),
                                      words.size(),
