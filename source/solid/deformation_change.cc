@@ -93,7 +93,10 @@ namespace Signorini
               // The norm of the antisymmetric part counts its components twice, hence the root of
               // two: in the plane the result is the angle.
               const Tensor<2, dim> strain(symmetrize(gradients[q]));
-              change.strain = std::max(change.strain, strain.norm());
+              // The hoop strain u_r/r is no component of the gradient in the plane.
+              const double hoop =
+                elasticity.model() == Model::axisymmetric ? values[q][0] / x[0] : 0.;
+              change.strain = std::max(change.strain, std::hypot(strain.norm(), hoop));
               change.largest_rotation =
                 std::max(change.largest_rotation, (gradients[q] - strain).norm() / std::sqrt(2));
             }

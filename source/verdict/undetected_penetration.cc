@@ -159,9 +159,11 @@ namespace Signorini
         // Inactive pairs are those of two surfaces or with an obstacle; the messages about both
         // contain these words.
         const std::string words = ", where no pair detects contact";
-        check_result.message.replace(check_result.message.find(words),
-                                     words.size(),
-                                     ", and their contact pair did not detect it");
+        // Messages of bodies that penetrate themselves or planes of symmetry have other words.
+        if (const auto at = check_result.message.find(words); at != std::string::npos)
+          check_result.message.replace(at,
+                                       words.size(),
+                                       ", and their contact pair did not detect it");
         check_result.advice = "use smaller load steps, or set Search distance of the pair";
       }
     return check_result;
