@@ -47,7 +47,7 @@ namespace Signorini
   Json
   peak_memory(MPI_Comm comm);
 
-  /// @return the versions of deal.II, Trilinos, p4est and MPI.
+  /// @return the versions of deal.II and Trilinos.
   Json
   library_versions();
 

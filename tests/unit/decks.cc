@@ -956,3 +956,28 @@ TEST_CASE("import: what was lost in silence is told")
   CHECK(scene.loads[0].bodies == std::vector<std::string>{"second"});
   CHECK(scene.loads[1].bodies.size() == 2);
 }
+
+
+
+// Supports whose values are not in the deck may have constrained bodies, as friction may.
+TEST_CASE("import: stabilisation forces are to be checked where supports are left out")
+{
+  const auto suspects = [](const std::string &support) {
+    const TemporaryFile file(cube + "*ELSET, ELSET=e\n1\n" + of_cube +
+                               "*SOLID SECTION, ELSET=e, MATERIAL=m\n*BOUNDARY\n1, 1, 3\n" +
+                               "*STEP\n*STATIC\n1., 1.\n" + support +
+                               "*CLOAD\n5, 3, 1.\n*END STEP\n",
+                             ".inp");
+    return imported(file.path).first.find("were not imported may have constrained bodies") !=
+           std::string::npos;
+  };
+  CHECK_FALSE(suspects(""));
+  for (const std::string support : {"*BOUNDARY, FIXED\n2, 1, 3\n",
+                                    "*BOUNDARY, USER\n2, 1, 3\n",
+                                    "*BOUNDARY, SUBMODEL\n2, 1, 3\n",
+                                    "*BOUNDARY\n2, NOWARP\n"})
+    {
+      CAPTURE(support);
+      CHECK(suspects(support));
+    }
+}

@@ -58,6 +58,7 @@ namespace Signorini
       if (in.has(type))
         {
           skip_item(type);
+          model.lacks_supports = true;
           return;
         }
     check_parameters({"OP", "AMPLITUDE", "TYPE"});
@@ -110,7 +111,10 @@ namespace Signorini
                                                                            {"ZASYMM", {0, 1}}};
     const auto                                                    found = held.find(kind);
     if (found == held.end())
-      skip_item("type " + kind);
+      {
+        skip_item("type " + kind);
+        model.lacks_supports = true;
+      }
     else
       hold(target, found->second, 0.);
   }

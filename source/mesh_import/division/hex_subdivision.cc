@@ -132,8 +132,6 @@ namespace Signorini
             first_cell.push_back(cells.size());
             if (chosen.as_tetrahedra[e])
               {
-                /// Record of which quadrilateral of the file the two triangles of a cut face are
-                /// parts.
                 for (const Nodes &face : CellShape::of(file.elements[e].shape).faces)
                   if (face.size() == 4)
                     store_triangles(nodes_at(file.elements[e], face));
@@ -146,6 +144,7 @@ namespace Signorini
         first_cell.push_back(cells.size());
       }
 
+      /// Record of which quadrilateral of the file the two triangles of a cut face are parts.
       void
       store_triangles(const Nodes &around)
       {
@@ -264,9 +263,6 @@ namespace Signorini
                                     {}};
             for (const CellShape::Corners of : shape.children[corner])
               child.nodes.push_back(of == shape.all() ? center_of(cell, center) :
-                                                        /// @return the node at the centre of a set
-                                                        /// of corners: the corner itself, or that
-                                                        /// of an edge or face.
                                                         node_of(cell, of));
             report.add(element, child);
             if (curved)
@@ -276,6 +272,8 @@ namespace Signorini
         name_faces(cell);
       }
 
+      /// @return the node at the centre of a set of corners: the corner itself, or that of an edge
+      /// or face.
       unsigned int
       node_of(const MeshFile::Element &cell, const CellShape::Corners which)
       {
