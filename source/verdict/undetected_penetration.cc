@@ -49,6 +49,19 @@ namespace Signorini
         largest.take(of_rank);
       return largest;
     }
+
+    /// Say that the surfaces have a contact pair, which is inactive where they overlap.
+    void
+    name_inactive_pair(CheckResult &check_result)
+    {
+      const std::string words = ", where no pair detects contact";
+      // Messages of bodies that penetrate themselves or planes of symmetry have other words.
+      if (const auto at = check_result.message.find(words); at != std::string::npos)
+        check_result.message.replace(at,
+                                     words.size(),
+                                     ", and their contact pair did not detect it");
+      check_result.advice = "use smaller load steps, or set Search distance of the pair";
+    }
   } // namespace
 
 
@@ -155,17 +168,7 @@ namespace Signorini
           break;
       }
     if (largest.is_inactive)
-      {
-        // Inactive pairs are those of two surfaces or with an obstacle; the messages about both
-        // contain these words.
-        const std::string words = ", where no pair detects contact";
-        // Messages of bodies that penetrate themselves or planes of symmetry have other words.
-        if (const auto at = check_result.message.find(words); at != std::string::npos)
-          check_result.message.replace(at,
-                                       words.size(),
-                                       ", and their contact pair did not detect it");
-        check_result.advice = "use smaller load steps, or set Search distance of the pair";
-      }
+      name_inactive_pair(check_result);
     return check_result;
   }
 
