@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/equilibrium.h"
 
-#include <signorini/base/text.h>
 #include <signorini/contact/methods/method.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace Signorini

@@ -104,7 +104,7 @@ namespace Signorini
 
   // The first rank reads or writes the scene, and broadcasts its checksum.
   template <int dim>
-  RunCheckpoints<dim>::RunCheckpoints(const RunOrigin          start,
+  RunCheckpoints<dim>::RunCheckpoints(const RunOrigin          origin,
                                       Problem<dim>            &problem,
                                       AdaptiveRefinement<dim> &refinement,
                                       Recorder<dim>           &recorder,
@@ -113,7 +113,7 @@ namespace Signorini
                                       TimerOutput             &timer,
                                       const MPI_Comm           comm,
                                       ConditionalOStream      &out)
-    : start(start)
+    : run_origin(origin)
     , problem(problem)
     , refinement(refinement)
     , recorder(recorder)
@@ -124,19 +124,19 @@ namespace Signorini
     , out(out)
     , checkpoints(recorder.directory(), comm)
   {
-    if (start == RunOrigin::program)
+    if (run_origin == RunOrigin::program)
       return;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
         // A new run stores its scene with all defaults, from which restarts read it.
-        if (start == RunOrigin::scene_file)
+        if (run_origin == RunOrigin::scene_file)
           write_origin(recorder.directory(),
                        origin_of(problem.decisions.scene.name,
                                  text_with_defaults(problem.decisions)));
-        origin = checksum_of_origin(recorder.directory());
+        scene_checksum = checksum_of_origin(recorder.directory());
       }
-    origin = Utilities::MPI::broadcast(comm, origin);
-    if (start == RunOrigin::checkpoint)
+    scene_checksum = Utilities::MPI::broadcast(comm, scene_checksum);
+    if (run_origin == RunOrigin::checkpoint)
       find_former();
   }
 
@@ -154,7 +154,7 @@ namespace Signorini
         return;
       }
     const Json &head = former->head;
-    if (head.at("origin") != origin)
+    if (head.at("origin") != scene_checksum)
       throw SceneError(
         "--restart " + recorder.directory() + ": " + former->name +
         " and restart.scene belong to different runs; solve the scene from the start");
@@ -229,7 +229,7 @@ namespace Signorini
   void
   RunCheckpoints<dim>::pass(const bool is_finished)
   {
-    if (start == RunOrigin::program)
+    if (run_origin == RunOrigin::program)
       return;
     Json head = {{"cycle", position.cycle},
                  {"time", position.time},
@@ -274,7 +274,7 @@ namespace Signorini
   {
     TimerOutput::Scope scope(timer, "checkpoint");
     Json               head = last->head;
-    head["origin"]          = origin;
+    head["origin"]          = scene_checksum;
     head["mesh_seconds"]    = problem.mesh_seconds();
     head["mesh"]            = mark_of_mesh(*problem.mesh);
     head["results"]         = recorder.save();

@@ -141,7 +141,7 @@ namespace Signorini
     void
     write();
 
-    const RunOrigin             start;
+    const RunOrigin             run_origin;
     Problem<dim>               &problem;
     AdaptiveRefinement<dim>    &refinement;
     Recorder<dim>              &recorder;
@@ -152,8 +152,8 @@ namespace Signorini
     dealii::ConditionalOStream &out;
 
     Checkpoints                         checkpoints;
-    std::uint32_t                       origin = 0; ///< checksum_of_origin()
-    std::optional<Checkpoints::Content> former;     ///< until it is restored
+    std::uint32_t                       scene_checksum = 0; ///< checksum_of_origin()
+    std::optional<Checkpoints::Content> former;             ///< until it is restored
 
     /// The state of a checkpoint, without the results: a copy, since attempts to solve change the
     /// original.

@@ -2,7 +2,6 @@
 #include "driver/simulation.h"
 
 #include "driver/scene_setup.h"
-#include "output/accuracy_results.h"
 #include "output/directory.h"
 #include "output/preflight.h"
 #include "scene/skipped_items.h"
@@ -11,11 +10,8 @@
 #include <signorini/base/text.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
-#include <limits>
 #include <sstream>
-#include <utility>
 
 namespace Signorini
 {

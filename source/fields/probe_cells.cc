@@ -102,9 +102,9 @@ namespace Signorini
 
   template <int dim>
   std::vector<CellLocation<dim>>
-  own_places(const Elasticity<dim>         &elasticity,
-             const std::vector<Probe<dim>> &probes,
-             const double                   farthest)
+  own_locations(const Elasticity<dim>         &elasticity,
+                const std::vector<Probe<dim>> &probes,
+                const double                   farthest)
   {
     const Mesh<dim>               &mesh = elasticity.mesh();
     std::vector<CellLocation<dim>> best(probes.size());
@@ -131,7 +131,7 @@ namespace Signorini
 
   template <int dim>
   unsigned int
-  winner(const std::vector<std::vector<Claim<dim>>> &claims, const unsigned int i)
+  rank_of_best_claim(const std::vector<std::vector<Claim<dim>>> &claims, const unsigned int i)
   {
     return std::min_element(claims.begin(),
                             claims.end(),
@@ -190,7 +190,7 @@ namespace Signorini
 
   template <int dim>
   [[noreturn]] void
-  refuse(const Probe<dim> &probe, const Mesh<dim> &mesh)
+  throw_outside_of_bodies(const Probe<dim> &probe, const Mesh<dim> &mesh)
   {
     std::vector<std::string> extents, names;
     for (unsigned int b = 0; b < mesh.n_bodies(); ++b)
@@ -210,23 +210,23 @@ namespace Signorini
 
 
   template std::vector<CellLocation<2>>
-  own_places(const Elasticity<2> &, const std::vector<Probe<2>> &, double);
+  own_locations(const Elasticity<2> &, const std::vector<Probe<2>> &, double);
   template unsigned int
-  winner(const std::vector<std::vector<Claim<2>>> &, unsigned int);
+  rank_of_best_claim(const std::vector<std::vector<Claim<2>>> &, unsigned int);
   template std::vector<std::vector<Claim<2>>>
   all_claims(const std::vector<CellLocation<2>> &, MPI_Comm);
   template std::vector<CellLocation<2>>
   cells_about(const Mapping<2> &, const CellLocation<2> &, const Point<2> &);
   template void
-  refuse(const Probe<2> &, const Mesh<2> &);
+  throw_outside_of_bodies(const Probe<2> &, const Mesh<2> &);
   template std::vector<CellLocation<3>>
-  own_places(const Elasticity<3> &, const std::vector<Probe<3>> &, double);
+  own_locations(const Elasticity<3> &, const std::vector<Probe<3>> &, double);
   template unsigned int
-  winner(const std::vector<std::vector<Claim<3>>> &, unsigned int);
+  rank_of_best_claim(const std::vector<std::vector<Claim<3>>> &, unsigned int);
   template std::vector<std::vector<Claim<3>>>
   all_claims(const std::vector<CellLocation<3>> &, MPI_Comm);
   template std::vector<CellLocation<3>>
   cells_about(const Mapping<3> &, const CellLocation<3> &, const Point<3> &);
   template void
-  refuse(const Probe<3> &, const Mesh<3> &);
+  throw_outside_of_bodies(const Probe<3> &, const Mesh<3> &);
 } // namespace Signorini

@@ -47,19 +47,19 @@ namespace Signorini
   /// @param farthest allowed distance from the reference cell
   template <int dim>
   std::vector<CellLocation<dim>>
-  own_places(const Elasticity<dim>         &elasticity,
-             const std::vector<Probe<dim>> &probes,
-             double                         farthest);
+  own_locations(const Elasticity<dim>         &elasticity,
+                const std::vector<Probe<dim>> &probes,
+                double                         farthest);
 
   /// @return the rank with the preferred cell of probe i.
   /// @param claims of all ranks, see all_claims()
   /// @param i index of the probe
   template <int dim>
   unsigned int
-  winner(const std::vector<std::vector<Claim<dim>>> &claims, unsigned int i);
+  rank_of_best_claim(const std::vector<std::vector<Claim<dim>>> &claims, unsigned int i);
 
   /// @return the candidates of all ranks, [rank][probe]. Collective.
-  /// @param locations result of own_places()
+  /// @param locations result of own_locations()
   /// @param comm the ranks
   template <int dim>
   std::vector<std::vector<Claim<dim>>>
@@ -83,5 +83,5 @@ namespace Signorini
   /// @param mesh with the bodies, whose extents are listed
   template <int dim>
   [[noreturn]] void
-  refuse(const Probe<dim> &probe, const Mesh<dim> &mesh);
+  throw_outside_of_bodies(const Probe<dim> &probe, const Mesh<dim> &mesh);
 } // namespace Signorini

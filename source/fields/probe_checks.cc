@@ -20,10 +20,10 @@ namespace Signorini
                     const double                   tolerance)
     {
       const auto claims =
-        all_claims(own_places(elasticity, probes, tolerance), elasticity.mesh().communicator());
+        all_claims(own_locations(elasticity, probes, tolerance), elasticity.mesh().communicator());
       for (unsigned int i = 0; i < probes.size(); ++i)
-        if (claims[winner(claims, i)][i].distance > tolerance)
-          refuse(probes[i], elasticity.mesh());
+        if (claims[rank_of_best_claim(claims, i)][i].distance > tolerance)
+          throw_outside_of_bodies(probes[i], elasticity.mesh());
     }
   } // namespace
 

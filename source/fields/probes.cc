@@ -57,18 +57,18 @@ namespace Signorini
     const MPI_Comm                       comm    = elasticity.mesh().communicator();
     const LA::Vector                     ghosted = elasticity.with_ghosts(displacement);
     const std::vector<CellLocation<dim>> locations =
-      own_places(elasticity, probes, probe_tolerance);
+      own_locations(elasticity, probes, probe_tolerance);
     // Each rank proposes its closest cell for each probe. All ranks know all proposals, and so the
-    // same winner, without further communication.
+    // same rank, without further communication.
     const auto claims = all_claims(locations, comm);
 
     std::vector<ProbeValue<dim>> result(probes.size());
     for (unsigned int i = 0; i < probes.size(); ++i)
       {
-        const unsigned int rank  = winner(claims, i);
+        const unsigned int rank  = rank_of_best_claim(claims, i);
         const Claim<dim>  &claim = claims[rank][i];
         if (claim.distance > probe_tolerance)
-          refuse(probes[i], elasticity.mesh());
+          throw_outside_of_bodies(probes[i], elasticity.mesh());
 
         Tensor<1, dim>        u;
         SymmetricTensor<2, 3> stress;
@@ -100,11 +100,11 @@ namespace Signorini
                    const SymmetricTensor<2, 3> &of_stress)
   {
     const MPI_Comm comm      = elasticity.mesh().communicator();
-    const auto     locations = own_places<dim>(elasticity, {probe}, probe_tolerance);
+    const auto     locations = own_locations<dim>(elasticity, {probe}, probe_tolerance);
     const auto     claims    = all_claims(locations, comm);
     const auto    &fes       = elasticity.finite_elements();
     LA::Vector     result    = elasticity.zero_vector();
-    if (winner(claims, 0) == Utilities::MPI::this_mpi_process(comm))
+    if (rank_of_best_claim(claims, 0) == Utilities::MPI::this_mpi_process(comm))
       {
         // Values are means over the cells that share the point, so that each cell has the
         // weight one over their number.

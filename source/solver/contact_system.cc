@@ -2,13 +2,8 @@
 #include "solver/contact_system.h"
 
 #include "base/interruption.h"
-#include "linear_algebra/row_view.h"
-#include "linear_algebra/values.h"
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
 
-#include <algorithm>
 
 namespace Signorini
 {

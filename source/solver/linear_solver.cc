@@ -7,9 +7,6 @@
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/solver_minres.h>
 
 #include <cmath>
