@@ -187,7 +187,7 @@ namespace Signorini
     clock.start();
     TimerOutput::Scope  scope(timer, "assembly");
     const StiffnessForm form =
-      choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity);
+      choose_form(scene.solver.stiffness_form, scene.solver.traits().needs_matrix, elasticity);
     if (elasticity.is_nonlinear())
       bodies =
         std::make_unique<NonlinearSolid<dim>>(form, elasticity, bodies_of_dofs(elasticity), timer);

@@ -65,7 +65,7 @@ namespace Signorini
     StiffnessForm
     form_of(const Scene<dim> &scene, const Elasticity<dim> &elasticity, const unsigned int cycle)
     {
-      const bool needs_matrix = scene.solver.needs_matrix();
+      const bool needs_matrix = scene.solver.traits().needs_matrix;
       const auto wanted       = scene.solver.stiffness_form;
       return choose_form(wanted, needs_matrix, elasticity, cycle > 0);
     }
@@ -217,7 +217,7 @@ namespace Signorini
     if (elasticity.is_finite_strain())
       result.seconds = std::numeric_limits<double>::quiet_NaN();
     // The cost of a factorisation depends on the fill-in, and on how often the active set changes.
-    if (scene.solver.preconditioner == "direct")
+    if (!scene.solver.traits().uses_hierarchy)
       result.seconds = result.memory_mb = std::numeric_limits<double>::quiet_NaN();
     return result;
   }

@@ -227,7 +227,7 @@ namespace Signorini
                                ": nearly incompressible bodies of degree 1 lock; set " +
                                (wants_bars ? "Degree = 2, or none" :
                                              "Formulation = mixed, with Degree = 2 or none"));
-          else if (!wants_bars && scene.solver.preconditioner != "direct")
+          else if (!wants_bars && scene.solver.traits().uses_hierarchy)
             warnings.push_back(
               "body " + body.name +
               ": for nearly incompressible bodies the displacement formulation needs hundreds of "
@@ -290,22 +290,23 @@ namespace Signorini
     // temperatures from their description.
     const Json of_bodies = bodies(decisions, elasticity);
     warn_about_heat(of_bodies, warnings);
-    Json report = {
-      {"model", scene.model},
-      {"dofs", elasticity.dof_handler().n_dofs()},
-      {"bodies", of_bodies},
-      {"operator",
-       word_of(stiffness_forms(),
-               choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity))},
-      {"modes_constrained_by_contact", elasticity.unsupported_mode_names()},
-      {"pairs", preflight_of_pairs(decisions, elasticity, surfaces, warnings)},
-      {"skipped", skipped_items(decisions, surfaces, contact)},
-      {"warnings", warnings},
-      {"predicted",
-       {{"seconds", prediction.seconds},
-        {"seconds_before", prediction.seconds_before},
-        {"memory_mb", prediction.memory_mb},
-        {"seconds_per_cell", prediction.seconds_per_cell}}}};
+    Json report = {{"model", scene.model},
+                   {"dofs", elasticity.dof_handler().n_dofs()},
+                   {"bodies", of_bodies},
+                   {"operator",
+                    word_of(stiffness_forms(),
+                            choose_form(scene.solver.stiffness_form,
+                                        scene.solver.traits().needs_matrix,
+                                        elasticity))},
+                   {"modes_constrained_by_contact", elasticity.unsupported_mode_names()},
+                   {"pairs", preflight_of_pairs(decisions, elasticity, surfaces, warnings)},
+                   {"skipped", skipped_items(decisions, surfaces, contact)},
+                   {"warnings", warnings},
+                   {"predicted",
+                    {{"seconds", prediction.seconds},
+                     {"seconds_before", prediction.seconds_before},
+                     {"memory_mb", prediction.memory_mb},
+                     {"seconds_per_cell", prediction.seconds_per_cell}}}};
     return report;
   }
 

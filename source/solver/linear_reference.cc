@@ -45,9 +45,9 @@ namespace Signorini
         clock.restart();
         return seconds;
       };
-      const std::unique_ptr<const Stiffness> stiffness =
-        make_stiffness(choose_form(settings.stiffness_form, settings.needs_matrix(), elasticity),
-                       elasticity);
+      const std::unique_ptr<const Stiffness> stiffness = make_stiffness(
+        choose_form(settings.stiffness_form, settings.traits().needs_matrix, elasticity),
+        elasticity);
       const LA::Vector f      = elasticity.load();
       result.seconds_assembly = lap();
 

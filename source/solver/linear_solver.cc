@@ -34,7 +34,7 @@ namespace Signorini
       constexpr unsigned int small = 2000;
       const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
                  is_large          = interface_includes_geometric ||
-                            (settings.preconditioner == "direct" && stiffness.size() > small);
+                            (!settings.traits().uses_hierarchy && stiffness.size() > small);
       return has_mumps && (!is_serial || is_large) ? LA::DirectLibrary::MUMPS :
                                                      LA::DirectLibrary::KLU;
     }
@@ -57,7 +57,7 @@ namespace Signorini
       // The factors of a direct preconditioner do not contain the geometric stiffness, which may
       // make the system indefinite.
       const bool lacks_motion =
-        settings.preconditioner == "direct" && !system.gap_operator().at_rest();
+        !settings.traits().uses_hierarchy && !system.gap_operator().at_rest();
       if (lacks_motion && !settings.krylov)
         return Krylov::FGMRES;
       if (!system.is_symmetric())
@@ -107,11 +107,11 @@ namespace Signorini
     , hierarchies(hierarchies)
     , timer(timer)
   {
-    if (settings.preconditioner == "SIMPLE" && settings.augmentation > 0)
+    if (!settings.traits().admits_augmentation && settings.augmentation > 0)
       throw SceneError(
         "Solver/Augmentation = " + short_text(settings.augmentation) +
-        " cannot be combined with Preconditioner = SIMPLE, which uses the diagonal of the stiffness "
-        "without augmentation; set Preconditioner = block triangular");
+        " cannot be combined with Preconditioner = " + settings.preconditioner +
+        ", which uses the stiffness without augmentation; set Preconditioner = block triangular");
   }
 
 
@@ -125,7 +125,7 @@ namespace Signorini
       cycles_before += preconditioner->multigrid_cycles();
     preconditioner.reset();
     hierarchy.reset();
-    if (settings.preconditioner != "direct")
+    if (settings.traits().uses_hierarchy)
       hierarchy = hierarchies.get();
     LinearSolverSettings chosen = settings;
     chosen.direct_solver        = choose_direct(settings,
@@ -149,7 +149,7 @@ namespace Signorini
   {
     // Sizes whose factorisation takes about a minute.
     const unsigned int most = hierarchies.dim() == 2 ? 400000 : 60000;
-    return settings.preconditioner == "interface multigrid" && system.stiffness().size() <= most;
+    return settings.traits().solves_interface && system.stiffness().size() <= most;
   }
 
 
@@ -168,7 +168,7 @@ namespace Signorini
   bool
   LinearSolver::interface_lacks_geometric() const
   {
-    return settings.preconditioner == "interface multigrid" && system.uses_geometric_stiffness() &&
+    return settings.traits().solves_interface && system.uses_geometric_stiffness() &&
            !system.gap_operator().at_rest() &&
            !hierarchies.interface_includes_geometric_stiffness();
   }
@@ -199,7 +199,7 @@ namespace Signorini
   bool
   LinearSolver::request_rebuild()
   {
-    if (settings.preconditioner == "direct")
+    if (!settings.traits().uses_hierarchy)
       return false;
     if (!hierarchies.request_rebuild())
       return interface_lacks_geometric() && !include_geometric_in_interface(true);

@@ -4,8 +4,7 @@
 #include "solver/linear_solver.h"
 #include "solver/preconditioners/factorised.h"
 #include "solver/preconditioners/interface_multigrid.h"
-
-#include <deal.II/base/exceptions.h>
+#include <signorini/base/scene_error.h>
 
 #include <functional>
 
@@ -31,24 +30,49 @@ namespace Signorini
       };
     }
 
-    // The registry: one line for each preconditioner.
-    const std::vector<std::pair<std::string, Maker>> registry = {
-      {"interface multigrid",
-       [](const Settings      &settings,
-          const ContactSystem &system,
-          const Hierarchy     *hierarchy,
-          const bool           interface_includes_geometric) -> Pointer {
-         return std::make_unique<InterfaceMultigrid>(system,
-                                                     *hierarchy,
-                                                     settings.direct_solver.value(),
-                                                     interface_includes_geometric);
-       }},
-      {"block diagonal", block(BlockPreconditioner::diagonal)},
-      {"block triangular", block(BlockPreconditioner::triangular)},
-      {"SIMPLE", block(BlockPreconditioner::simple)},
-      {"direct",
-       [](const Settings &settings, const ContactSystem &system, const Hierarchy *, bool)
-         -> Pointer { return std::make_unique<Direct>(system, settings.direct_solver.value()); }}};
+    struct Entry
+    {
+      std::string          name; ///< of the key Solver/Preconditioner
+      PreconditionerTraits traits;
+      Maker                make;
+    };
+
+    Pointer
+    make_interface_multigrid(const Settings      &settings,
+                             const ContactSystem &system,
+                             const Hierarchy     *hierarchy,
+                             const bool           interface_includes_geometric)
+    {
+      return std::make_unique<InterfaceMultigrid>(system,
+                                                  *hierarchy,
+                                                  settings.direct_solver.value(),
+                                                  interface_includes_geometric);
+    }
+
+    Pointer
+    make_direct(const Settings &settings, const ContactSystem &system, const Hierarchy *, bool)
+    {
+      return std::make_unique<Direct>(system, settings.direct_solver.value());
+    }
+
+    // The registry: one line for each preconditioner. Traits: needs_matrix, uses_hierarchy,
+    // solves_interface, admits_augmentation.
+    const std::vector<Entry> registry = {
+      {"interface multigrid", {false, true, true, true}, make_interface_multigrid},
+      {"block diagonal", {true, true, false, true}, block(BlockPreconditioner::diagonal)},
+      {"block triangular", {true, true, false, true}, block(BlockPreconditioner::triangular)},
+      // It uses the diagonal of the stiffness, without augmentation.
+      {"SIMPLE", {true, true, false, false}, block(BlockPreconditioner::simple)},
+      {"direct", {true, false, false, true}, make_direct}};
+
+    const Entry &
+    entry(const std::string &name)
+    {
+      for (const Entry &one : registry)
+        if (one.name == name)
+          return one;
+      throw SceneError("Solver/Preconditioner = " + name + ": there is no such preconditioner");
+    }
   } // namespace
 
 
@@ -57,9 +81,17 @@ namespace Signorini
   preconditioner_names()
   {
     std::vector<std::string> names;
-    for (const auto &entry : registry)
-      names.push_back(entry.first);
+    for (const Entry &one : registry)
+      names.push_back(one.name);
     return names;
+  }
+
+
+
+  const PreconditionerTraits &
+  LinearSolverSettings::traits() const
+  {
+    return entry(preconditioner).traits;
   }
 
 
@@ -70,10 +102,7 @@ namespace Signorini
                          const Hierarchy            *hierarchy,
                          const bool                  interface_includes_geometric)
   {
-    for (const auto &[known, make] : registry)
-      if (known == settings.preconditioner)
-        return make(settings, system, hierarchy, interface_includes_geometric);
-    AssertThrow(false, ExcMessage("unknown preconditioner " + settings.preconditioner));
-    return nullptr;
+    return entry(settings.preconditioner)
+      .make(settings, system, hierarchy, interface_includes_geometric);
   }
 } // namespace Signorini

@@ -41,7 +41,7 @@ namespace Signorini
                                  const Elasticity<d>        &elasticity)
     : SolidHierarchy(stiffness, d)
   {
-    if (settings.preconditioner != "direct")
+    if (settings.traits().uses_hierarchy)
       make = [settings, &stiffness, &elasticity] {
         return make_hierarchy(settings, stiffness, elasticity);
       };

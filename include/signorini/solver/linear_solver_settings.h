@@ -49,6 +49,20 @@ namespace Signorini
   const Choices<Coarsening> &
   coarsenings();
 
+  /// What the solver must know of a preconditioner before it makes it.
+  struct PreconditionerTraits
+  {
+    /// It needs the stiffness as a matrix, so that matrix-free operators cannot be used.
+    bool needs_matrix = true;
+    /// It uses multigrid levels of the bodies; otherwise it factorises the system.
+    bool uses_hierarchy = true;
+    /// It solves the contact interface exactly. Where it converges slowly, that solve can include
+    /// the contact geometric stiffness, and small systems are factorised instead.
+    bool solves_interface = false;
+    /// It can be combined with Solver/Augmentation.
+    bool admits_augmentation = true;
+  };
+
   /// The settings of the linear solver, section Solver of a scene.
   struct LinearSolverSettings
   {
@@ -72,11 +86,8 @@ namespace Signorini
     void
     declare(Section &section);
 
-    /// True if the preconditioner needs the assembled matrix.
-    bool
-    needs_matrix() const
-    {
-      return preconditioner != "interface multigrid";
-    }
+    /// @return what the solver must know of the preconditioner before it makes it.
+    const PreconditionerTraits &
+    traits() const;
   };
 } // namespace Signorini
