@@ -98,7 +98,8 @@ namespace Signorini
     void
     ColumnExchange::add(const double *values, Vector &v) const
     {
-      send(*buffer, values, columns, Add, v);
+      // Plain Add would overwrite the elements that this rank owns itself.
+      send(*buffer, values, columns, Epetra_AddLocalAlso, v);
     }
 
 

@@ -45,7 +45,8 @@ namespace Signorini
       void
       add(const double *values, Vector &v) const;
 
-      /// Elements of v become the largest absolute value among theirs and those given.
+      /// Elements of v become the largest absolute value among those given, by any rank.
+      /// @param v in: zero
       void
       enlarge(const double *values, Vector &v) const;
 

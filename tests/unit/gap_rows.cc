@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of contact points against how gaps change when bodies move; nodes held by supports.
 
+#include "linear_algebra/columns.h"
 #include "solid/cell_nodes.h"
 
 #include <doctest/doctest.h>
@@ -296,4 +297,21 @@ TEST_CASE("nodes on supports of any direction move as these say")
     if (ring.elasticity->owned().is_element(first))
       CHECK(node.prescribed_directions[0].direction * node.position ==
             doctest::Approx(2).epsilon(1e-3));
+}
+
+
+
+TEST_CASE("values at the columns of contact rows are added to those of their owners")
+{
+  SmallScene<2> scene(cases_2d()[0].lines);
+  scene.use({"Method=penalty"});
+  const LA::SparseMatrix  &B = scene.gap_operator().B_free;
+  const LA::ColumnExchange columns(B);
+  LA::Vector               v = scene.elasticity->zero_vector();
+  v                          = 2.;
+  const double before        = v.l1_norm();
+  columns.add(std::vector<double>(columns.size(), 1.).data(), v);
+  const unsigned int n = Utilities::MPI::sum(columns.size(), MPI_COMM_WORLD);
+  REQUIRE(n > 0);
+  CHECK(v.l1_norm() == doctest::Approx(before + n));
 }
