@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/traction/normal_stress.h"
 
-#include "contact/search/face_patch.h"
 #include "geometry/lagrange.h"
-#include "linear_algebra/dense.h"
 #include "solid/cell_nodes.h"
 #include "solid/deformation.h"
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
-
 
 namespace Signorini
 {
@@ -344,82 +339,6 @@ namespace Signorini
     for (unsigned int i = 0; i < phi.size(); ++i)
       result.emplace_back(number[i], phi[i] * (n * m));
     return result;
-  }
-
-
-
-  // 2 mu max int_F m^2/int_T m^2 (doc/theory, 2.7): the functions are orthogonal on the cell with a
-  // common size, so that it is the largest eigenvalue of their mass matrix on the face, scaled.
-  template <int dim>
-  double
-  NormalStress<dim>::bound_of_volumetric_stress(const unsigned int face) const
-  {
-    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
-    if (!volumetric.is_on(*cell))
-      return 0;
-    constexpr unsigned int n = VolumetricStress<dim>::functions_per_cell;
-    // The functions are linear, so that their products are integrated exactly on plane faces.
-    const QGauss<dim - 1> rule(3);
-    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
-    Eigen::MatrixXd       values(n, rule.size()); // times the square roots of the areas
-    for (unsigned int q = 0; q < rule.size(); ++q)
-      {
-        const Point<dim> x    = patch.position(rule.point(q));
-        const auto       phi  = volumetric.functions(*cell, x);
-        const double     root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
-                                      measure(elasticity.model(), x));
-        for (unsigned int i = 0; i < n; ++i)
-          values(i, q) = root * phi[i];
-      }
-    return 2 * elasticity.material(cell->material_id()).mu() / volumetric.size(*cell) *
-           eigenvalues_of_symmetric(values * values.transpose()).maxCoeff();
-  }
-
-
-
-  // Largest eigenvalue of the generalised problem S^T S v = b K v on the cell behind the face
-  // (doc/theory, (2.17)), with the normal stresses S at Gauss points of the face, weighted with the
-  // roots of areas. With K = V diag(k) V^T it is that of (S V k^-1/2)^T (S V k^-1/2). O(n^3) with n
-  // degrees of freedom of a cell; StressBounds keeps the results.
-  template <int dim>
-  double
-  NormalStress<dim>::bound(const unsigned int face)
-  {
-    const unsigned int n = indices.size();
-    // The stiffness of the cell at small strain: its quadratic form is twice the energy of a
-    // virtual displacement.
-    FullMatrix<double> stiffness;
-    kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
-    Eigen::MatrixXd K(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        K(i, j) = stiffness(i, j);
-
-    const QGauss<dim - 1> rule(cell->get_fe().degree + 2);
-    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
-    Eigen::MatrixXd       stress(rule.size(), n); // times the square roots of the areas
-    for (unsigned int q = 0; q < rule.size(); ++q)
-      {
-        const Tensor<1, dim>      normal = patch.normal(rule.point(q));
-        const std::vector<double> row =
-          coefficients(unit_point<dim>(face, rule.point(q)), normal, normal);
-        const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
-                                      measure(elasticity.model(), patch.position(rule.point(q))));
-        for (unsigned int i = 0; i < n; ++i)
-          stress(q, i) = root * row[i];
-      }
-
-    // Rigid-body modes, on which both sides vanish, are left out.
-    const SymmetricEigenpairs modes    = eigenpairs_of_symmetric(K);
-    const double              smallest = 1e-10 * modes.values.maxCoeff();
-    Eigen::VectorXd           scale    = modes.values;
-    for (unsigned int i = 0; i < n; ++i)
-      scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
-    // The product with its transpose is the smaller one, as many rows as Gauss points on the face,
-    // and has the same largest eigenvalue.
-    const Eigen::MatrixXd scaled = stress * modes.vectors * scale.asDiagonal();
-    return bound_of_volumetric_stress(face) +
-           eigenvalues_of_symmetric(scaled * scaled.transpose()).maxCoeff();
   }
 
 
