@@ -18,7 +18,7 @@ namespace Signorini
       /// An importer for matrices that have none, because all their columns are local: it then only
       /// copies. Null if the matrix has one.
       std::unique_ptr<Epetra_Import>
-      throw_without_importer(const Epetra_CrsMatrix &matrix)
+      make_missing_importer(const Epetra_CrsMatrix &matrix)
       {
         return matrix.Importer() ?
                  nullptr :
@@ -56,7 +56,7 @@ namespace Signorini
 
 
     ColumnExchange::ColumnExchange(const SparseMatrix &matrix)
-      : own(throw_without_importer(matrix.trilinos_matrix()))
+      : own(make_missing_importer(matrix.trilinos_matrix()))
       , columns(own ? *own : *matrix.trilinos_matrix().Importer())
       , buffer(std::make_unique<Epetra_Vector>(matrix.trilinos_matrix().ColMap()))
     {}

@@ -3,7 +3,7 @@
 
 #include "base/interruption.h"
 
-
+#include <utility>
 
 namespace Signorini
 {
