@@ -227,7 +227,7 @@ namespace Signorini
                                ": nearly incompressible bodies of degree 1 lock; set " +
                                (wants_bars ? "Degree = 2, or none" :
                                              "Formulation = mixed, with Degree = 2 or none"));
-          else if (!wants_bars && scene.solver.traits().uses_hierarchy)
+          else if (!wants_bars && !scene.solver.traits().factorises)
             warnings.push_back(
               "body " + body.name +
               ": for nearly incompressible bodies the displacement formulation needs hundreds of "

@@ -134,7 +134,7 @@ namespace Signorini
           settings.preconditioner + "' stopped after " + std::to_string(stop.last_step) +
           " iterations with residual " + short_text(stop.last_residual / rhs.l2_norm()) +
           " of the start; " +
-          (!settings.traits().uses_hierarchy ?
+          (settings.traits().factorises ?
              "the system is nearly singular: check the supports, and nodes that belong to two pairs" :
              "choose another Solver/Preconditioner (interface multigrid, direct), or a smaller "
              "Factor of the contact method"));

@@ -34,7 +34,7 @@ namespace Signorini
       constexpr unsigned int small = 2000;
       const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
                  is_large          = interface_includes_geometric ||
-                            (!settings.traits().uses_hierarchy && stiffness.size() > small);
+                            (settings.traits().factorises && stiffness.size() > small);
       return has_mumps && (!is_serial || is_large) ? LA::DirectLibrary::MUMPS :
                                                      LA::DirectLibrary::KLU;
     }
@@ -56,8 +56,7 @@ namespace Signorini
         }
       // The factors of a direct preconditioner do not contain the geometric stiffness, which may
       // make the system indefinite.
-      const bool lacks_motion =
-        !settings.traits().uses_hierarchy && !system.gap_operator().at_rest();
+      const bool lacks_motion = settings.traits().factorises && !system.gap_operator().at_rest();
       if (lacks_motion && !settings.krylov)
         return Krylov::FGMRES;
       if (!system.is_symmetric())

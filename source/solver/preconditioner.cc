@@ -56,14 +56,16 @@ namespace Signorini
     }
 
     // The registry: one line for each preconditioner. Traits: needs_matrix, uses_hierarchy,
-    // solves_interface, admits_augmentation.
+    // factorises, solves_interface, admits_augmentation.
     const std::vector<Entry> registry = {
-      {"interface multigrid", {false, true, true, true}, make_interface_multigrid},
-      {"block diagonal", {true, true, false, true}, block(BlockPreconditioner::diagonal)},
-      {"block triangular", {true, true, false, true}, block(BlockPreconditioner::triangular)},
+      {"interface multigrid", {false, true, false, true, true}, make_interface_multigrid},
+      {"block diagonal", {true, true, false, false, true}, block(BlockPreconditioner::diagonal)},
+      {"block triangular",
+       {true, true, false, false, true},
+       block(BlockPreconditioner::triangular)},
       // It uses the diagonal of the stiffness, without augmentation.
-      {"SIMPLE", {true, true, false, false}, block(BlockPreconditioner::simple)},
-      {"direct", {true, false, false, true}, make_direct}};
+      {"SIMPLE", {true, true, false, false, false}, block(BlockPreconditioner::simple)},
+      {"direct", {true, false, true, false, true}, make_direct}};
 
     const Entry &
     entry(const std::string &name)

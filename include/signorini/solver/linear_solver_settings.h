@@ -54,8 +54,10 @@ namespace Signorini
   {
     /// It needs the stiffness as a matrix, so that matrix-free operators cannot be used.
     bool needs_matrix = true;
-    /// It uses multigrid levels of the bodies; otherwise it factorises the system.
+    /// It uses multigrid levels of the bodies, for which costs are predicted.
     bool uses_hierarchy = true;
+    /// It factorises the whole system, without the contact geometric stiffness.
+    bool factorises = false;
     /// It solves the contact interface exactly. Where it converges slowly, that solve can include
     /// the contact geometric stiffness, and small systems are factorised instead.
     bool solves_interface = false;
