@@ -91,12 +91,6 @@ namespace Signorini
       return augments() ? epsilon(point) : ContactLaw::residual_stiffness(point);
     }
 
-  private:
-    NormalContact(const GapOperator &contact,
-                  PressureShift      pressure_shift,
-                  bool               multiplier,
-                  double             spring);
-
     /// The penalty parameter at a point [force/length^3].
     double
     epsilon(const Index point) const
@@ -104,6 +98,12 @@ namespace Signorini
       return spring < 0 ? penalty_scale * contact.coefficients.epsilon(point) :
                           spring * contact.coefficients.stiffness(point);
     }
+
+  private:
+    NormalContact(const GapOperator &contact,
+                  PressureShift      pressure_shift,
+                  bool               multiplier,
+                  double             spring);
 
     PressureShift pressure_shift;
     bool          multiplier;

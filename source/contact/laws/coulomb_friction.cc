@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/laws/coulomb_friction.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The tangential part of a vector at a point.
+    LawVector
+    tangential(LawVector v)
+    {
+      v[0] = 0;
+      return v;
+    }
+
+    /// A projection of a trial traction onto the disc of friction, and its derivatives.
+    struct Projection
+    {
+      LawVector traction;
+      LawMatrix by_trial; ///< [a][b], column 0 by the trial pressure, which sets the radius
+    };
+
+    /// The projection for a given status: the identity where the point sticks; else r m along the
+    /// unit vector m of the trial traction, whose derivative is r/|t| (I - m m) + mu m by the
+    /// pressure. A trial traction without direction, and a trial pressure that is tensile, give no
+    /// tangential traction.
+    Projection
+    project(const LawVector &trial, const double coefficient, const ContactStatus status)
+    {
+      Projection      result;
+      const LawVector t    = tangential(trial);
+      const double    size = t.norm();
+      if (status == ContactStatus::stick)
+        {
+          result.traction = t;
+          for (unsigned int a = 1; a < 3; ++a)
+            result.by_trial[a][a] = 1;
+          return result;
+        }
+      if (trial[0] <= 0 || size == 0)
+        return result;
+      const double    radius = coefficient * trial[0];
+      const LawVector m      = t / size;
+      result.traction        = radius * m;
+      for (unsigned int a = 1; a < 3; ++a)
+        {
+          result.by_trial[a][0] = coefficient * m[a];
+          for (unsigned int b = 1; b < 3; ++b)
+            result.by_trial[a][b] = radius / size * ((a == b ? 1. : 0.) - m[a] * m[b]);
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  CoulombFriction::CoulombFriction(const ContactMethod &method,
+                                   const GapOperator   &contact,
+                                   LA::Vector           coefficient)
+    : ContactLaw(contact)
+    , normal(method, contact)
+    , shift(method.pressure_shift())
+    , coefficient(std::move(coefficient))
+    , last(contact.zeros())
+  {}
+
+
+
+  LawVector
+  CoulombFriction::trial(const Index point, const LawInput &in) const
+  {
+    LawVector result = normal.trial(point, in);
+    for (unsigned int a = 1; a < n_components(); ++a)
+      {
+        const double predicted = shift == PressureShift::multiplier    ? in.traction[a] :
+                                 shift == PressureShift::normal_stress ? in.stress[a] :
+                                 shift == PressureShift::last_pressure ? last[a](point) :
+                                                                         in.internal.vectors[0][a];
+        result[a]              = predicted - normal.epsilon(point) * in.gap[a];
+      }
+    return result;
+  }
+
+
+
+  ContactStatus
+  CoulombFriction::status(const Index point, const LawVector &trial) const
+  {
+    if (normal.status(point, trial) == ContactStatus::open)
+      return ContactStatus::open;
+    const double radius = coefficient(point) * std::max(0., trial[0]);
+    return tangential(trial).norm() <= radius ? ContactStatus::stick : ContactStatus::slip;
+  }
+
+
+
+  // The chain rule: the trial depends on gap and slip by -eps, and on what t^ is by 1.
+  LawResponse
+  CoulombFriction::response(const Index point, const LawInput &in, const ContactStatus status) const
+  {
+    LawResponse result = normal.response(point, in, status);
+    result.internal    = initial_variables();
+    if (status == ContactStatus::open)
+      return result;
+
+    const unsigned int n       = n_components();
+    const double       epsilon = normal.epsilon(point);
+    const LawVector    tried   = trial(point, in);
+    const Projection   allowed = project(tried, coefficient(point), status);
+    for (unsigned int a = 1; a < n; ++a)
+      {
+        // Without a multiplier the residual is what the next augmentation changes.
+        const double before = has_multiplier() ? in.traction[a] : tried[a] + epsilon * in.gap[a];
+        result.traction[a]  = has_multiplier() ? in.traction[a] : allowed.traction[a];
+        result.residual[a]  = (before - allowed.traction[a]) / epsilon;
+        result.internal.vectors[0][a] = result.traction[a];
+        for (unsigned int b = 0; b < n; ++b)
+          {
+            const double by_trial        = allowed.by_trial[a][b];
+            result.residual_by_gap[a][b] = by_trial;
+            if (!has_multiplier())
+              {
+                result.by_gap[a][b]    = -epsilon * by_trial;
+                result.by_stress[a][b] = shift == PressureShift::normal_stress ? by_trial : 0;
+                continue;
+              }
+            const double through              = shift == PressureShift::multiplier ? by_trial : 0;
+            result.residual_by_traction[a][b] = ((a == b ? 1. : 0.) - through) / epsilon;
+          }
+      }
+    return result;
+  }
+} // namespace Signorini

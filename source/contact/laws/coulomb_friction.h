@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/laws/normal_contact.h"
+
+namespace Signorini
+{
+  /// Coulomb friction upon normal contact, one law for all methods: with the slip s of the load
+  /// step, the bound mu p and the projection Pi onto the disc |t| <= mu p,
+  ///
+  ///   t = Pi(t^ - eps s),
+  ///
+  /// where t^ is chosen like p^ of the normal law: the traction itself, if it is an unknown; the
+  /// tangential stress of the bodies (Nitsche); the traction of the last augmentation (Uzawa); and
+  /// otherwise the traction at the end of the last load step, so that the law is the return mapping
+  /// of an elastic slip. A point sticks where t^ - eps s is inside the disc, else it slips. If the
+  /// traction is an unknown, the equation is (t - Pi(t^ - eps s))/eps = 0: s = 0 where it sticks
+  /// (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler,
+  /// Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
+  ///
+  /// The internal variable is the traction at the end of the last load step.
+  class CoulombFriction : public ContactLaw
+  {
+  public:
+    /// @param coefficient mu at each point
+    CoulombFriction(const ContactMethod &method,
+                    const GapOperator   &contact,
+                    LA::Vector           coefficient);
+
+    bool
+    has_multiplier() const override
+    {
+      return normal.has_multiplier();
+    }
+
+    /// The tangential traction of slipping points depends on the pressure, but not the pressure on
+    /// the slip.
+    bool
+    is_symmetric() const override
+    {
+      return false;
+    }
+
+    /// At slipping points they depend on the direction of slip.
+    bool
+    has_constant_derivatives() const override
+    {
+      return false;
+    }
+
+    InternalVariables
+    initial_variables() const override
+    {
+      return {{LawVector()}, {}};
+    }
+
+    bool
+    augments() const override
+    {
+      return normal.augments();
+    }
+
+    void
+    augment(const PointVectors &traction) override
+    {
+      normal.augment(traction);
+      last = traction;
+    }
+
+    bool
+    scale_penalty(const double factor) override
+    {
+      return normal.scale_penalty(factor);
+    }
+
+    bool
+    has_scaled_penalty() const override
+    {
+      return normal.has_scaled_penalty();
+    }
+
+    double
+    minimal_penalty_scale() const override
+    {
+      return normal.minimal_penalty_scale();
+    }
+
+    double
+    residual_stiffness(const Index point) const override
+    {
+      return normal.residual_stiffness(point);
+    }
+
+    using ContactLaw::status;
+    using ContactLaw::trial;
+
+    /// Trial pressure and trial tangential traction t^ - eps s.
+    LawVector
+    trial(Index point, const LawInput &in) const override;
+
+    /// Open where the normal law is; else stick if the trial traction is inside the disc of the
+    /// trial pressure.
+    ContactStatus
+    status(Index point, const LawVector &trial) const override;
+
+    LawResponse
+    response(Index point, const LawInput &in, ContactStatus status) const override;
+
+  private:
+    NormalContact       normal;
+    const PressureShift shift;
+    const LA::Vector    coefficient;
+    PointVectors        last; ///< traction of the last augmentation
+  };
+} // namespace Signorini
