@@ -19,7 +19,7 @@ namespace Signorini
     }
 
     /// A projection of a trial traction onto the disc of friction, and its derivatives.
-    struct Projection
+    struct DiscProjection
     {
       LawVector traction;
       LawMatrix by_trial; ///< [a][b], column 0 by the trial pressure, which sets the radius
@@ -29,10 +29,10 @@ namespace Signorini
     /// unit vector m of the trial traction, whose derivative is r/|t| (I - m m) + mu m by the
     /// pressure. A trial traction without direction, and a trial pressure that is tensile, give no
     /// tangential traction.
-    Projection
+    DiscProjection
     project(const LawVector &trial, const double coefficient, const ContactStatus status)
     {
-      Projection      result;
+      DiscProjection  result;
       const LawVector t    = tangential(trial);
       const double    size = t.norm();
       if (status == ContactStatus::stick)
@@ -108,10 +108,10 @@ namespace Signorini
     if (status == ContactStatus::open)
       return result;
 
-    const unsigned int n       = n_components();
-    const double       epsilon = normal.epsilon(point);
-    const LawVector    tried   = trial(point, in);
-    const Projection   allowed = project(tried, coefficient(point), status);
+    const unsigned int   n       = n_components();
+    const double         epsilon = normal.epsilon(point);
+    const LawVector      tried   = trial(point, in);
+    const DiscProjection allowed = project(tried, coefficient(point), status);
     for (unsigned int a = 1; a < n; ++a)
       {
         // Without a multiplier the residual is what the next augmentation changes.
