@@ -50,6 +50,10 @@ namespace Signorini
                 "fraction of the initial overlap (and of the initial gap of a no-separation pair) "
                 "that is applied, formula in t: 1: at once; t: linear ramp");
     section.add(
+      "Friction",
+      friction,
+      "coefficient of Coulomb friction, formula in x,y,z (reference configuration) and t; 0: none");
+    section.add(
       "Search distance",
       search_distance,
       "radius of the contact search: points with a larger initial gap are no candidates for contact; 0: "

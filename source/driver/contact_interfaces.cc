@@ -261,6 +261,8 @@ namespace Signorini
     for (const ContactPair<dim> &pair : decisions.pairs)
       shares.push_back(pair.interference.value({}, t));
     contact->set_interference(shares);
+    if (scene.contact.chosen().has_friction)
+      set_friction(t);
     if (contact->S_thermal.m() > 0)
       contact->set_temperature_change(elasticity.thermal().coefficients());
   }
@@ -268,6 +270,25 @@ namespace Signorini
 
 
   // Gaps that change with time without any displacement: formulas in t, and moving obstacles.
+  // The coefficient of each point at its position in the reference configuration.
+  template <int dim>
+  void
+  ContactInterfaces<dim>::set_friction(const double t)
+  {
+    LA::Vector &friction = contact->coefficients.friction;
+    auto        pair     = contact->origin.pair.begin();
+    for (const auto i : friction.locally_owned_elements())
+      {
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = contact->geometry.position[d](i);
+        friction(i) = decisions.pairs[*pair++].friction.value(x, t);
+      }
+    friction.compress(VectorOperation::insert);
+  }
+
+
+
   template <int dim>
   bool
   ContactInterfaces<dim>::has_time_dependent_gap(const ContactPair<dim> &pair) const

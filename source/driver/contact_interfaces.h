@@ -149,6 +149,10 @@ namespace Signorini
     /// The accuracy of node positions in mesh files, relative to the size of the model.
     static constexpr double touching = 1e-6;
 
+    /// Set the friction coefficients of all points for a time.
+    void
+    set_friction(double t);
+
     /// True if the reference gap of the pair depends on time.
     bool
     has_time_dependent_gap(const ContactPair<dim> &pair) const;

@@ -73,13 +73,14 @@ namespace
 
   /// The gap operator of a single point in space.
   GapOperator
-  single_point(const double epsilon)
+  single_point(const double epsilon, const double friction)
   {
     GapOperator contact;
     contact.weight                 = one_value(1);
     contact.coefficients.bilateral = one_value(0);
     contact.coefficients.stiffness = one_value(epsilon);
     contact.coefficients.epsilon   = one_value(epsilon);
+    contact.coefficients.friction  = one_value(friction);
     contact.tangential.B.resize(2);
     return contact;
   }
@@ -109,7 +110,7 @@ namespace
 TEST_CASE("law of Coulomb: derivatives against finite differences, for all choices of t^")
 {
   constexpr double epsilon = 7, friction = 0.6, step = 1e-6;
-  GapOperator      contact = single_point(epsilon);
+  GapOperator      contact = single_point(epsilon, friction);
   std::mt19937     numbers(1);
   unsigned int     count[3] = {0, 0, 0};
   for (const auto &[shift, multipliers] : choices)
@@ -117,7 +118,7 @@ TEST_CASE("law of Coulomb: derivatives against finite differences, for all choic
       {
         CAPTURE(sample);
         CAPTURE(multipliers);
-        CoulombFriction law(Choice(shift, multipliers), contact, one_value(friction));
+        CoulombFriction law(Choice(shift, multipliers), contact);
         law.augment({one_value(0.3), one_value(-0.2), one_value(0.4)});
         const LawInput      in     = random_input(numbers, epsilon);
         const ContactStatus status = law.status(0, law.trial(0, in));
@@ -174,12 +175,12 @@ TEST_CASE(
   "law of Coulomb: tractions are on the disc, stick has no slip, slip is along the traction")
 {
   constexpr double epsilon = 3, friction = 0.4;
-  GapOperator      contact = single_point(epsilon);
+  GapOperator      contact = single_point(epsilon, friction);
   std::mt19937     numbers(2);
   for (const auto &[shift, multipliers] : choices)
     for (unsigned int sample = 0; sample < 100 && !multipliers; ++sample)
       {
-        const CoulombFriction law(Choice(shift, multipliers), contact, one_value(friction));
+        const CoulombFriction law(Choice(shift, multipliers), contact);
         const LawInput        in     = random_input(numbers, epsilon);
         const LawVector       trial  = law.trial(0, in);
         const ContactStatus   status = law.status(0, trial);
@@ -205,8 +206,8 @@ TEST_CASE(
 TEST_CASE("law of Coulomb: the loop of a penalty has the dissipation of the closed form")
 {
   constexpr double      epsilon = 50, friction = 0.5, p = 2, amplitude = 0.3;
-  GapOperator           contact = single_point(epsilon);
-  const CoulombFriction law(Choice(PressureShift::none, false), contact, one_value(friction));
+  GapOperator           contact = single_point(epsilon, friction);
+  const CoulombFriction law(Choice(PressureShift::none, false), contact);
   LawInput              in;
   in.gap[0]   = -p / epsilon;
   in.internal = {{LawVector()}, {}};

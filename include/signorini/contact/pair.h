@@ -35,6 +35,8 @@ namespace Signorini
     /// False: bilateral contact, g = 0 for either sign of the pressure.
     bool            can_separate = true;
     Expression<dim> interference{"1"}; ///< share of initial overlaps that counts at time t
+    /// The friction coefficient mu, by place in the reference configuration and time.
+    Expression<dim> friction{"0"};
     /// Search radius [length]; 0: estimated by the program.
     double search_distance = 0;
     /// Directions along which the extents of the contact area are reported.

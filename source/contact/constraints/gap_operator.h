@@ -25,6 +25,8 @@ namespace Signorini
     /// Penalty of the contact law, ContactMethod::penalty() times Decisions::penalty_factor
     /// [force/length^3].
     LA::Vector epsilon;
+    /// The friction coefficient mu at the present time; zero where there is no friction.
+    LA::Vector friction;
   };
 
   /// Positions and normals of the contact points, one vector for each space component; for moments

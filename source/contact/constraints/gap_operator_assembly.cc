@@ -135,6 +135,7 @@ namespace Signorini
       contact.reference_gap.reinit(contact.weight);
       contact.coefficients.stiffness.reinit(contact.weight);
       contact.coefficients.bilateral.reinit(contact.weight);
+      contact.coefficients.friction.reinit(contact.weight);
       contact.coefficients.epsilon.reinit(contact.weight);
       // Moments have one component in the plane and three in space.
       contact.geometry.position.assign(dim, contact.zero());

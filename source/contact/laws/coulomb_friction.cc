@@ -2,7 +2,6 @@
 #include "contact/laws/coulomb_friction.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace Signorini
 {
@@ -59,13 +58,10 @@ namespace Signorini
 
 
 
-  CoulombFriction::CoulombFriction(const ContactMethod &method,
-                                   const GapOperator   &contact,
-                                   LA::Vector           coefficient)
+  CoulombFriction::CoulombFriction(const ContactMethod &method, const GapOperator &contact)
     : ContactLaw(contact)
     , normal(method, contact)
     , shift(method.pressure_shift())
-    , coefficient(std::move(coefficient))
     , last(contact.zeros())
   {}
 
@@ -93,7 +89,7 @@ namespace Signorini
   {
     if (normal.status(point, trial) == ContactStatus::open)
       return ContactStatus::open;
-    const double radius = coefficient(point) * std::max(0., trial[0]);
+    const double radius = contact.coefficients.friction(point) * std::max(0., trial[0]);
     return tangential(trial).norm() <= radius ? ContactStatus::stick : ContactStatus::slip;
   }
 
@@ -111,7 +107,7 @@ namespace Signorini
     const unsigned int   n       = n_components();
     const double         epsilon = normal.epsilon(point);
     const LawVector      tried   = trial(point, in);
-    const DiscProjection allowed = project(tried, coefficient(point), status);
+    const DiscProjection allowed = project(tried, contact.coefficients.friction(point), status);
     for (unsigned int a = 1; a < n; ++a)
       {
         // Without a multiplier the residual is what the next augmentation changes.

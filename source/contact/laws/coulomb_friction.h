@@ -22,10 +22,8 @@ namespace Signorini
   class CoulombFriction : public ContactLaw
   {
   public:
-    /// @param coefficient mu at each point
-    CoulombFriction(const ContactMethod &method,
-                    const GapOperator   &contact,
-                    LA::Vector           coefficient);
+    /// Keeps a reference to the gap operator, whose coefficients contain mu.
+    CoulombFriction(const ContactMethod &method, const GapOperator &contact);
 
     bool
     has_multiplier() const override
@@ -109,7 +107,6 @@ namespace Signorini
   private:
     NormalContact       normal;
     const PressureShift shift;
-    const LA::Vector    coefficient;
     PointVectors        last; ///< traction of the last augmentation
   };
 } // namespace Signorini

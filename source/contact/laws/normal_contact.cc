@@ -41,8 +41,9 @@ namespace Signorini
   {
     if (contact.empty() || multiplier || pressure_shift == PressureShift::normal_stress)
       return 1;
-    const auto &[bilateral, stiffness, epsilon] = contact.coefficients;
-    double stiffest                             = 1;
+    const LA::Vector &stiffness = contact.coefficients.stiffness,
+                     &epsilon   = contact.coefficients.epsilon;
+    double stiffest             = 1;
     for (const auto i : epsilon.locally_owned_elements())
       stiffest = std::max(stiffest, epsilon(i) / stiffness(i));
     return 1 / Utilities::MPI::max(stiffest, epsilon.get_mpi_communicator());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/laws/normal_contact.h"
+#include "contact/laws/coulomb_friction.h"
 #include "contact/methods/methods.h"
 
 #include <deal.II/base/exceptions.h>
@@ -41,6 +41,8 @@ namespace Signorini
   std::unique_ptr<ContactLaw>
   ContactMethod::make_law(const GapOperator &contact) const
   {
+    if (has_friction)
+      return std::make_unique<CoulombFriction>(*this, contact);
     return std::make_unique<NormalContact>(*this, contact);
   }
 

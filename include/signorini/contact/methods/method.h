@@ -41,10 +41,11 @@ namespace Signorini
     double bound;     ///< of the normal stress, see NormalStress::bound() [force/length^3]
   };
 
-  /// A contact method. It makes the contact law; for all frictionless methods that is p = max(0, p^
-  /// - eps g), see NormalContact, so that a method only chooses p^, eps and the points at which the
-  /// law holds (doc/theory, 2.1). A method is a file in contact/methods, its declaration in
-  /// methods.h, and a line in the registry.
+  /// A contact method. It makes the contact law; for all methods that is p = max(0, p^ - eps g),
+  /// see NormalContact, and with friction t = Pi(t^ - eps s) upon it, see CoulombFriction, so that
+  /// a method only chooses p^ and t^, eps and the points at which the law holds (doc/theory, 2.1).
+  /// A method is a file in contact/methods, its declaration in methods.h, and a line in the
+  /// registry.
   class ContactMethod
   {
   public:
@@ -77,12 +78,15 @@ namespace Signorini
     virtual std::unique_ptr<ContactLaw>
     make_law(const GapOperator &contact) const;
 
+    /// Whether any pair of the scene has friction, which the scene tells its methods.
+    bool has_friction = false;
+
     /// True if the law depends on the slip; then contact points have as many components as the
     /// dimension.
     virtual bool
     uses_slip() const
     {
-      return false;
+      return has_friction;
     }
 
     /// True if tractions depend on earlier load steps, by internal variables of the law or by the
