@@ -42,7 +42,7 @@ namespace Signorini
       "Separation",
       can_separate,
       {{"allowed", true}, {"none", false}},
-      "none: no-separation (bilateral, frictionless) contact. Points that touch at the start, or lie within the "
+      "none: no-separation (bilateral) contact. Points that touch at the start, or lie within the "
       "Search distance, keep their gap and may carry tension, as a flat platen under a given force");
     section.rename_key("Interference", "Interference ramp");
     section.add("Interference ramp",
@@ -52,7 +52,8 @@ namespace Signorini
     section.add(
       "Friction",
       friction,
-      "coefficient of Coulomb friction, formula in x,y,z (reference configuration) and t; 0: none");
+      "coefficient of Coulomb friction, formula in x,y,z (reference configuration) and t; 0: none. "
+      "The solution then depends on the load steps: compare with twice their Number");
     section.add(
       "Search distance",
       search_distance,

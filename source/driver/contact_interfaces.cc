@@ -12,6 +12,7 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -269,26 +270,38 @@ namespace Signorini
 
 
 
-  // Gaps that change with time without any displacement: formulas in t, and moving obstacles.
-  // The coefficient of each point at its position in the reference configuration.
+  // The coefficient of each point at its position in the reference configuration. Throws SceneError
+  // on all ranks where it is negative, or no number.
   template <int dim>
   void
   ContactInterfaces<dim>::set_friction(const double t)
   {
-    LA::Vector &friction = contact->coefficients.friction;
-    auto        pair     = contact->origin.pair.begin();
+    LA::Vector  &friction = contact->coefficients.friction;
+    auto         pair     = contact->origin.pair.begin();
+    unsigned int wrong    = 0; // one more than the number of a pair
     for (const auto i : friction.locally_owned_elements())
       {
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = contact->geometry.position[d](i);
-        friction(i) = decisions.pairs[*pair++].friction.value(x, t);
+        const double mu = decisions.pairs[*pair].friction.value(x, t);
+        if (!std::isfinite(mu) || mu < 0)
+          wrong = *pair + 1;
+        friction(i) = mu;
+        ++pair;
       }
     friction.compress(VectorOperation::insert);
+    wrong = Utilities::MPI::max(wrong, elasticity.mesh().communicator());
+    if (wrong > 0)
+      throw SceneError("Contact pairs/" + decisions.pairs[wrong - 1].name +
+                       "/Friction = " + decisions.pairs[wrong - 1].friction.formula() +
+                       ": is negative, or no number, at some points at t = " + short_text(t) +
+                       "; correct the formula");
   }
 
 
 
+  // Gaps that change with time without any displacement: formulas in t, and moving obstacles.
   template <int dim>
   bool
   ContactInterfaces<dim>::has_time_dependent_gap(const ContactPair<dim> &pair) const

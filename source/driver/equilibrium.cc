@@ -193,6 +193,15 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  Equilibrium<dim>::is_path_dependent() const
+  {
+    return scene.contact.chosen().is_path_dependent() || !elasticity.material_history().empty();
+  }
+
+
+
   // One load step from a given start. On success time, internal variables, gap and active set of
   // the solution are stored; at finite strain the solution is also checked for missed penetration,
   // for stability (indefinite tangent) and for a jump (displacement rate). On failure the last
@@ -206,9 +215,7 @@ namespace Signorini
   {
     // The start of the load step is stored only if the solution depends on the path.
     const State before = state;
-    const bool  is_path_dependent_solution =
-      scene.contact.chosen().is_path_dependent() || !elasticity.material_history().empty();
-    if (t > state.time && is_path_dependent_solution)
+    if (t > state.time && is_path_dependent())
       {
         state.start = {state.displacement, state.contact, state.material, t - state.time};
         configuration_solver.start_step();

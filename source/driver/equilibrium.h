@@ -84,6 +84,10 @@ namespace Signorini
       return my_uses_current_geometry;
     }
 
+    /// True if the solution depends on earlier load steps, by contact or by the materials.
+    bool
+    is_path_dependent() const;
+
     /// The relative change of the contact pressure that the current configuration would make, if it
     /// was estimated.
     std::optional<double>

@@ -54,6 +54,9 @@ namespace Signorini
     /// Solve the end of the load history on a mesh that is still to be refined.
     bool
     solve_for_estimate();
+    /// Return to the undeformed state.
+    void
+    return_to_start();
     /// Solve all load steps on the last mesh.
     void
     run_load_history();

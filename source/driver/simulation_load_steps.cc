@@ -29,17 +29,26 @@ namespace Signorini
       return false;
     out << "  no convergence in one load step (" << problem.report().reason
         << "): applying the load in steps" << std::endl;
-    State nothing;
-    nothing.displacement = problem.elasticity->zero_vector();
-    nothing.contact      = SurfaceField(dim);
-    problem.equilibrium->set_state(nothing, problem.equilibrium->uses_current_geometry());
-    problem.equilibrium->configuration_solver.restore_active_set();
+    return_to_start();
     Position start;
     start.longest = end / 2;
     return apply_load_history(refinement.tolerance, start, [&](auto) {
       refinement.n_steps += problem.report().steps.size();
       return true;
     });
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::return_to_start()
+  {
+    State nothing;
+    nothing.displacement = problem.elasticity->zero_vector();
+    nothing.contact      = SurfaceField(dim);
+    problem.equilibrium->set_state(nothing, problem.equilibrium->uses_current_geometry());
+    problem.equilibrium->configuration_solver.restore_active_set();
   }
 
 
@@ -55,6 +64,9 @@ namespace Signorini
     // which the tolerance is relative. Hence the upper bound.
     constexpr double largest_tolerance = 1e-5;
     const bool       is_one            = scene.load_steps.ends().size() == 1;
+    // The meshes before were made for the end of the history, whose state no path has led to.
+    if (position.step == 0 && problem.equilibrium->is_path_dependent() && problem.state.time > 0)
+      return_to_start();
     const double     final_tolerance =
       scene.goals.has_targets() && is_one ?
             std::max(std::min(refinement.tolerance, largest_tolerance), scene.newton.tolerance) :
@@ -204,6 +216,7 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template bool Simulation<dim>::solve_for_estimate();                                             \
+  template void Simulation<dim>::return_to_start();                                                \
   template void Simulation<dim>::run_load_history();                                               \
   template bool Simulation<dim>::improve(ErrorControl &);
   INSTANTIATE(2)

@@ -57,8 +57,24 @@ namespace Signorini
           {
             LA::Vector component = nodal_field(snapshot, normal, pair);
             component.scale(recovered);
+            component += nodal(tangential_traction(snapshot, traction.size()));
             traction.push_back(snapshot.elasticity.with_ghosts(component));
           }
+      }
+
+      /// Component d of the tangential traction of all contact points, in the present
+      /// configuration.
+      static LA::Vector
+      tangential_traction(const Snapshot<dim> &snapshot, const unsigned int d)
+      {
+        LA::Vector result = snapshot.contact.zero();
+        for (unsigned int a = 0; a < snapshot.contact.tangential.direction.size(); ++a)
+          {
+            LA::Vector term = snapshot.contact_state.traction[a + 1];
+            term.scale(snapshot.contact.tangential.direction[a][d]);
+            result += term;
+          }
+        return result;
       }
     };
 

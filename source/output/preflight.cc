@@ -194,7 +194,7 @@ namespace Signorini
         result.push_back(decisions.finite_strain ?
                            "contact: no candidates" :
                            "contact: no candidates, each load step is a linear problem");
-      else
+      else if (contact.n_components() == 1)
         result.push_back("friction: contact is frictionless");
       for (const Obstacle<dim> &obstacle : decisions.scene.obstacles)
         {

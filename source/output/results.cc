@@ -39,6 +39,8 @@ namespace Signorini
       Tensor<1, 3> reaction_moment;
       /// Sum of pressure times weight, and of its absolute value, over all points.
       double normal_force = 0, sum_of_sizes = 0;
+      /// The part of the force on the slave that is due to tangential tractions.
+      Tensor<1, dim> friction_force;
     };
 
     /// @return the force of a pair. Collective.
@@ -61,21 +63,37 @@ namespace Signorini
             // Component 0 is the radial one of axisymmetric models.
             for (unsigned int d = on_circles; d < dim; ++d)
               sum.resultant.force[d] += on_slave * s.contact.geometry.normal[d](i);
-            const auto &on_master = s.contact.geometry.master_moment.empty() ?
-                                      s.contact.geometry.moment :
-                                      s.contact.geometry.master_moment;
-            for (unsigned int d = 0; !on_circles && d < s.contact.geometry.moment.size(); ++d)
-              {
-                sum.resultant.moment[d] +=
-                  on_slave * (exchanged ? on_master : s.contact.geometry.moment)[d](i);
-                sum.reaction_moment[d] -=
-                  on_slave * (exchanged ? s.contact.geometry.moment : on_master)[d](i);
-              }
+            const auto add_moments = [&](const double                   size,
+                                         const std::vector<LA::Vector> &of_slave,
+                                         const std::vector<LA::Vector> &of_master) {
+              for (unsigned int d = 0; !on_circles && d < of_slave.size(); ++d)
+                {
+                  sum.resultant.moment[d] += size * (exchanged ? of_master : of_slave)[d](i);
+                  sum.reaction_moment[d] -= size * (exchanged ? of_slave : of_master)[d](i);
+                }
+            };
+            const bool at_rest = s.contact.at_rest();
+            add_moments(on_slave,
+                        s.contact.geometry.moment,
+                        at_rest ? s.contact.geometry.moment : s.contact.geometry.master_moment);
             sum.normal_force += force;
             sum.sum_of_sizes += std::abs(force);
+            const TangentialRows &tangential = s.contact.tangential;
+            for (unsigned int a = 0; a < tangential.B.size(); ++a)
+              {
+                const double along =
+                  (exchanged ? -1 : 1) * s.contact_state.traction[a + 1](i) * s.contact.weight(i);
+                for (unsigned int d = on_circles; d < dim; ++d)
+                  sum.friction_force[d] += along * tangential.direction[a][d](i);
+                add_moments(along,
+                            tangential.moment[a],
+                            at_rest ? tangential.moment[a] : tangential.master_moment[a]);
+                sum.sum_of_sizes += std::abs(along);
+              }
           }
       const MPI_Comm comm  = s.elasticity.mesh().communicator();
-      sum.resultant.force  = Utilities::MPI::sum(sum.resultant.force, comm);
+      sum.friction_force   = Utilities::MPI::sum(sum.friction_force, comm);
+      sum.resultant.force  = Utilities::MPI::sum(sum.resultant.force, comm) + sum.friction_force;
       sum.resultant.moment = Utilities::MPI::sum(sum.resultant.moment, comm);
       sum.reaction_moment  = Utilities::MPI::sum(sum.reaction_moment, comm);
       sum.normal_force     = Utilities::MPI::sum(sum.normal_force, comm);
@@ -186,12 +204,58 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// @return the entries of a pair with friction: stick and slip areas, the largest tangential
+    /// traction and slip of this load step, and the work that friction takes from the bodies in it,
+    /// -sum W t.s. Collective.
+    /// @param gaps gap and slip at all contact points
+    template <int dim>
+    Json
+    friction_results(const Snapshot<dim>  &s,
+                     const PointVectors   &gaps,
+                     const PairForce<dim> &force,
+                     const unsigned int    pair)
+    {
+      double stick = 0, slip = 0, largest = 0, farthest = 0, work = 0;
+      auto   which = s.contact.origin.pair.begin();
+      for (const auto i : s.pressure.locally_owned_elements())
+        if (*which++ == pair && is_closed(s.contact_state.status(i)))
+          {
+            const double weight = s.contact.weight(i);
+            (status_of(s.contact_state.status(i)) == ContactStatus::stick ? stick : slip) += weight;
+            double t = 0, d = 0;
+            for (unsigned int a = 1; a < gaps.size(); ++a)
+              {
+                const double along = s.contact_state.traction[a](i);
+                t                  = std::hypot(t, along);
+                d                  = std::hypot(d, double(gaps[a](i)));
+                work -= weight * along * gaps[a](i);
+              }
+            largest  = std::max(largest, t);
+            farthest = std::max(farthest, d);
+          }
+      const MPI_Comm comm = s.elasticity.mesh().communicator();
+      return {{"friction_force", list(force.friction_force)},
+              {"stick_area", Utilities::MPI::sum(stick, comm)},
+              {"slip_area", Utilities::MPI::sum(slip, comm)},
+              {"max_tangential_traction", Utilities::MPI::max(largest, comm)},
+              {"max_slip", Utilities::MPI::max(farthest, comm)},
+              {"friction_work", Utilities::MPI::sum(work, comm)}};
+    }
+  } // namespace
+
+
+
   // All values are those of the slave that the scene names, see force_of().
   template <int dim>
   Json
   pair_results(const Snapshot<dim> &snapshot)
   {
-    Json result = Json::object();
+    Json         result = Json::object();
+    PointVectors gaps;
+    if (snapshot.contact.n_components() > 1)
+      gaps = snapshot.contact.gaps(snapshot.displacement);
     for (unsigned int pair = 0; pair < snapshot.pairs.size(); ++pair)
       {
         const PairSums       sums         = sums_of(snapshot, pair);
@@ -218,6 +282,8 @@ namespace Signorini
         if (!snapshot.pairs[pair].directions.empty())
           result[snapshot.pairs[pair].name]["contact_extents"] =
             extents(snapshot.pairs[pair], sums.patch);
+        if (!snapshot.pairs[pair].friction.is_zero())
+          result[snapshot.pairs[pair].name].update(friction_results(snapshot, gaps, force, pair));
       }
     return result;
   }

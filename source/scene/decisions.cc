@@ -234,8 +234,42 @@ namespace Signorini
       }
     if (finite_strain)
       check_finite_strain();
+    if (scene.contact.chosen().has_friction)
+      check_friction();
     if (!pairs_are_open)
       quantities();
+  }
+
+
+
+  // Error estimates contain neither the errors of former load steps nor that of the load path, and
+  // nothing chooses load steps for the path yet: a number is wanted that the user is aware of.
+  template <int dim>
+  void
+  Decisions<dim>::check_friction() const
+  {
+    const auto refuse = [](const std::string &key, const std::string &why) {
+      throw SceneError(key + ": " + why);
+    };
+    const auto &method = scene.contact.chosen();
+    if (method.pressure_shift() == PressureShift::normal_stress)
+      refuse("Contact method/Method = " + scene.contact.chosen_name(),
+             "friction is not available with this method; set Method = Lagrange multiplier");
+    if (!scene.goals.quantities.empty())
+      refuse("Accuracy/Quantity = " + scene.goals.quantities.front(),
+             "error estimates are not available with friction; remove Quantity, and compare "
+             "meshes and numbers of load steps");
+    if (scene.load_steps.is_automatic)
+      refuse("Load steps/Number = automatic",
+             "is not available with friction, whose solution depends on the load steps; set a "
+             "Number, and compare with twice as many");
+    for (const ContactPair<dim> &pair : pairs)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
+          obstacle && obstacle->shape->depends_on_time() && !pair.friction.is_zero())
+        refuse("Contact pairs/" + pair.name + "/Friction = " + pair.friction.formula(),
+               "the shape of '" + obstacle->name +
+                 "' depends on time, so that the motion of its material is not known; move it "
+                 "by its Displacement instead");
   }
 
 

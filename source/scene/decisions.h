@@ -97,5 +97,8 @@ namespace Signorini
     /// Throws SceneError for features that do not exist at finite strain.
     void
     check_finite_strain() const;
+    /// Throws SceneError for features that do not exist with friction.
+    void
+    check_friction() const;
   };
 } // namespace Signorini

@@ -71,6 +71,18 @@ namespace Signorini
 
 
 
+  void
+  ActiveSet::stick_newly_closed(const LA::Vector &pressure)
+  {
+    const auto slip = static_cast<double>(ContactStatus::slip);
+    for (const auto i : now.locally_owned_elements())
+      if (now(i) == slip && pressure(i) == 0 && contact.coefficients.friction(i) > 0)
+        now(i) = static_cast<double>(ContactStatus::stick);
+    now.compress(VectorOperation::insert);
+  }
+
+
+
   unsigned int
   ActiveSet::size() const
   {

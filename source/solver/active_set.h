@@ -49,6 +49,13 @@ namespace Signorini
     void
     update(const LA::Vector &status);
 
+    /// Let the slipping points that had no pressure stick, where there is friction: the direction of
+    /// their slip is not known yet, and exactly those bodies that friction alone holds would have no
+    /// stiffness. No effect on laws without friction.
+    /// @param pressure of the last step
+    void
+    stick_newly_closed(const LA::Vector &pressure);
+
     /// Restrict the newly active points of each pair to those with at least half of the deepest
     /// penetration. Where smooth bodies penetrate each other, the contact area is only a part of
     /// the area of penetration; in Hertz' contact it is exactly that one. Returns the number of

@@ -88,6 +88,8 @@ namespace Signorini
     const LA::Vector  &gap    = in.gap[0];
     const unsigned int before = active_set.size();
     active_set.update(law.status(trial));
+    if (contact.n_components() > 1)
+      active_set.stick_newly_closed(in.traction[0]);
     const unsigned int all = active_set.size();
     // If the active set is too small, the bodies penetrate each other in a wide surrounding until
     // they are supported: the set of the law would then be far too large.

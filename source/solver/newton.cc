@@ -333,7 +333,7 @@ namespace Signorini
     constexpr unsigned int most = 4;
     // Low accuracy suffices: an error is reduced by the next iteration.
     constexpr double enough = 0.1;
-    if (!bodies.is_symmetric())
+    if (!system.is_symmetric())
       return false;
     const LA::Vector size = bodies.stiffness().diagonal();
     try

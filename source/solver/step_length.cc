@@ -33,8 +33,8 @@ namespace Signorini
       at_start() const;
 
     private:
-      /// The tractions of the law at u; pressures that are independent unknowns take the value of
-      /// the augmented Lagrangian, max(0, p - c g).
+      /// The tractions of the law at u; those that are independent unknowns take the values of the
+      /// augmented Lagrangian, max(0, p - c g) and the projection of t - c s.
       PointVectors
       traction(const LA::Vector &u, const PointVectors &unknown) const;
 
@@ -115,8 +115,17 @@ namespace Signorini
       if (!start.system.is_saddle_point())
         return result;
       for (const auto i : status.locally_owned_elements())
-        result[0](i) = is_closed(status(i)) ? trial[0](i) : 0.;
-      result[0].compress(VectorOperation::insert);
+        {
+          result[0](i) = is_closed(status(i)) ? trial[0](i) : 0.;
+          if (result.size() == 1)
+            continue;
+          // The residual of the constraint is (t - Pi)/epsilon with the projection Pi.
+          const LawVector d = start.law.response(i, in.at(i), status_of(status(i))).residual;
+          for (unsigned int a = 1; a < result.size(); ++a)
+            result[a](i) -= contact.coefficients.epsilon(i) * d[a];
+        }
+      for (LA::Vector &component : result)
+        component.compress(VectorOperation::insert);
       return result;
     }
   } // namespace

@@ -37,6 +37,13 @@ namespace Signorini
     dealii::Point<dim>
     to_body(const dealii::Point<dim> &x) const;
 
+    /// The current position of the material point whose reference position is X.
+    dealii::Point<dim>
+    position(const dealii::Point<dim> &X) const
+    {
+      return center + turn * (X - reference);
+    }
+
     /// A direction of the body, rotated to the current configuration.
     Vector
     to_space(const Vector &direction) const

@@ -92,6 +92,10 @@ namespace Signorini
     /// Unit tangents in the reference configuration, [a][d]: component d of tangent a at all
     /// points.
     std::vector<std::vector<LA::Vector>> at_rest;
+    /// Weighted mean of the present tangents, as PointGeometry::normal; and the moments of unit
+    /// forces along them on the slave and of the reactions on the master, as of PointGeometry,
+    /// which differ from each other in displaced configurations only. [a][d]
+    std::vector<std::vector<LA::Vector>> direction, moment, master_moment;
   };
 
   /// The linearisation of contact about a displaced configuration u_k; empty in the reference

@@ -58,14 +58,32 @@ namespace Signorini
             component.compress(VectorOperation::insert);
         }
       // Offsets: the slip at each point, distributed to the rows with their shares of its area.
+      // Directions and moments likewise.
+      constexpr unsigned int n_moments = dim == 2 ? 1 : 3;
+      tangential.direction.assign(dim - 1, std::vector<LA::Vector>(dim, zero));
+      tangential.moment.assign(dim - 1, std::vector<LA::Vector>(n_moments, zero));
+      tangential.master_moment = tangential.moment;
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         for (unsigned int q = 0; q < surfaces[p].frames.size(); ++q)
           for (const auto &[row, weight] : rows.shares[p][q])
             {
-              const auto slip =
-                tangents.slip(row, surfaces[p].frames[q], surfaces[p].points[q].direction);
+              const ContactPoint<dim> &point = surfaces[p].points[q];
+              const SurfaceFrame<dim> &frame = surfaces[p].frames[q];
+              const auto               slip  = tangents.slip(row, frame, point.direction);
+              const auto               tau   = tangents.at(row, frame, point.direction);
               for (unsigned int a = 0; a < dim - 1; ++a)
-                tangential.offset[a](row) += weight * slip[a];
+                {
+                  tangential.offset[a](row) += weight * slip[a];
+                  const Tensor<1, 3> moment    = moment_of(point.slave_force_point, tau[a]),
+                                     on_master = moment_of(point.master_force_point, tau[a]);
+                  for (unsigned int d = 0; d < dim; ++d)
+                    tangential.direction[a][d](row) += weight * tau[a][d];
+                  for (unsigned int d = 0; d < n_moments; ++d)
+                    {
+                      tangential.moment[a][d](row) += weight * moment[d];
+                      tangential.master_moment[a][d](row) += weight * on_master[d];
+                    }
+                }
             }
       for (LA::Vector &offset : tangential.offset)
         offset.compress(VectorOperation::add);
@@ -238,6 +256,12 @@ namespace Signorini
                           &contact.geometry.master_moment})
         for (LA::Vector &v : *group)
           means.push_back(&v);
+      for (auto *group : {&contact.tangential.direction,
+                          &contact.tangential.moment,
+                          &contact.tangential.master_moment})
+        for (std::vector<LA::Vector> &of_tangent : *group)
+          for (LA::Vector &v : of_tangent)
+            means.push_back(&v);
       for (LA::Vector *v : means)
         {
           v->compress(VectorOperation::add);

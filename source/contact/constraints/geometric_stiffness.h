@@ -4,6 +4,7 @@
 #include "contact/constraints/contact_rows.h"
 #include "contact/constraints/gap_operator.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -26,18 +27,24 @@ namespace Signorini
     /// Directions d of the rows d . du^M/dxi_a, one for each direction and then each a; for bodies
     /// only.
     std::vector<dealii::Tensor<1, dim>> of_master;
-    /// Vectors d_a of the rows sum_a d_a . du^S/dxi_a; for bodies only.
+    /// Vectors d_a of the rows sum_a d_a . du^S/dxi_a.
     std::vector<std::array<dealii::Tensor<1, dim>, dim - 1>> of_slave;
     /// The matrix C, n_rows() x n_rows() row by row, times the area and the tractions [force, or
     /// force/length by the units of the rows].
     std::vector<double> factors;
 
+    /// The number of rows with directions, or with rigid rows.
+    unsigned int
+    n_jumps() const
+    {
+      return std::max(directions.size(), rigid.size());
+    }
+
     /// The number of rows R_i of the second variation.
     unsigned int
     n_rows() const
     {
-      return rigid.empty() ? directions.size() + (dim - 1) * of_master.size() + of_slave.size() :
-                             rigid.size();
+      return n_jumps() + (dim - 1) * of_master.size() + of_slave.size();
     }
 
     /// Evaluate the rows: R_i . u. @param u values by slot; @param R set to n_rows() values

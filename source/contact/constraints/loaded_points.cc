@@ -37,8 +37,8 @@ namespace Signorini
 
 
   // The rows R_i of a point applied to a vector, in the order: directions . (u^S - u^M), with the
-  // rigid rows of obstacles added; then for bodies the slopes of the master along of_master, and of
-  // the slave along of_slave.
+  // rigid rows of obstacles added; then the slopes of the master along of_master, and of the slave
+  // along of_slave.
   template <int dim>
   void
   LoadedPoint<dim>::evaluate_rows(const double *u, std::vector<double> &R) const
@@ -48,14 +48,12 @@ namespace Signorini
     // rigid rows.
     const Tensor<1, dim> jump = value_at(slave, element) - value_at(master, element);
     R.assign(n_rows(), 0.);
-    unsigned int next = 0;
-    for (const Tensor<1, dim> &direction : directions)
-      R[next++] = direction * jump;
+    for (unsigned int i = 0; i < directions.size(); ++i)
+      R[i] = directions[i] * jump;
     for (unsigned int i = 0; i < rigid.size(); ++i)
       for (const auto &[slot, value] : rigid[i])
         R[i] += value * u[slot];
-    if (!rigid.empty())
-      return;
+    unsigned int next = n_jumps();
     for (const Tensor<1, dim> &direction : of_master)
       {
         for (const NodeShapeFunction<dim> &function : master)
@@ -82,17 +80,15 @@ namespace Signorini
   void
   LoadedPoint<dim>::add_rows(const std::vector<double> &s, double *dst) const
   {
-    unsigned int   next = 0;
     Tensor<1, dim> force;
-    for (const Tensor<1, dim> &direction : directions)
-      force += s[next++] * direction;
+    for (unsigned int i = 0; i < directions.size(); ++i)
+      force += s[i] * directions[i];
     add_force(slave, force, dst);
     add_force(master, -force, dst);
     for (unsigned int i = 0; i < rigid.size(); ++i)
       for (const auto &[slot, value] : rigid[i])
         dst[slot] += value * s[i];
-    if (!rigid.empty())
-      return;
+    unsigned int next = n_jumps();
     const auto add = [dst](const NodeShapeFunction<dim> &function,
                            const Tensor<1, dim>         &direction,
                            const double                  factor) {
@@ -138,16 +134,70 @@ namespace Signorini
                              master,
                              second_variation.directions,
                              second_variation.rigid,
-                             {normal},
+                             {},
                              {},
                              second_variation.factors};
+      if (second_variation.rigid.empty())
+        point.of_master.push_back(normal);
       for (double &factor : point.factors)
         factor *= force;
       return point;
     }
 
-    /// Add the contribution of a tangential traction (doc/theory, (5.17)) to a point that has that
-    /// of the pressure. The rows become
+    /// Copy a dense matrix to the factors of a point.
+    template <int dim>
+    void
+    set_factors(const FullMatrix<double> &C, LoadedPoint<dim> &point)
+    {
+      point.factors.clear();
+      for (unsigned int i = 0; i < C.m(); ++i)
+        for (unsigned int j = 0; j < C.n(); ++j)
+          point.factors.push_back(C(i, j));
+    }
+
+    /// Add the rotation of the material of the slave about n (5.18), only in space: in the plane
+    /// the tangent rotates with n alone. The point gets a row for the slopes of the slave.
+    /// @param T tangential force at the point
+    /// @param contravariant the components of a vector along the directions of the rows w
+    /// @param w number of the first of these rows
+    /// @param spin number of the row of the slopes
+    /// @param add_dn adds row i times v.dn times a factor, called as add_dn(i, v, factor)
+    template <int dim, typename Components, typename AddNormalChange>
+    void
+    add_rotation_of_slave(const Tensor<1, dim>    &T,
+                          const Tensor<1, dim>    &n,
+                          const SurfaceFrame<dim> &frame,
+                          const Components        &contravariant,
+                          const unsigned int       w,
+                          const unsigned int       spin,
+                          const AddNormalChange   &add_dn,
+                          FullMatrix<double>      &C,
+                          LoadedPoint<dim>        &point)
+    {
+      if constexpr (dim == 3)
+        {
+          const ConvectedFrame<3> frame_now(frame.normal, frame.deformation, n);
+          const auto             &tau     = frame_now.vectors;
+          const auto              E       = vectors_across(frame.normal);
+          const Tensor<1, 3>      rotated = (T * tau[0]) * tau[1] - (T * tau[1]) * tau[0];
+          const Tensor<1, 2>      by_w    = contravariant(rotated) / frame_now.stretch;
+          point.of_slave.emplace_back();
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              C(w + a, spin) += by_w[a];
+              add_dn(w + a, tau[1], -by_w[a] * (n * (frame.deformation * E[0])));
+              add_dn(w + a, tau[0], by_w[a] * (n * (frame.deformation * E[1])));
+              point.of_slave.back()[a] =
+                frame.parameters[0][a] * tau[1] - frame.parameters[1][a] * tau[0];
+            }
+        }
+      else
+        (void)T, (void)n, (void)frame, (void)contravariant, (void)w, (void)spin, (void)add_dn,
+          (void)C, (void)point;
+    }
+
+    /// Add the contribution of a tangential traction (doc/theory, (5.17)) to a point between bodies
+    /// that has that of the pressure. The rows become
     ///
     ///   y_a.(uS - uM), n.(uS - uM), n.uM,a, T.uM,a, and in space tau_2.uS,1 - tau_1.uS,2,
     ///
@@ -213,30 +263,55 @@ namespace Signorini
           }
       point.directions.push_back(n);
       point.of_master.push_back(T);
-      // The rotation of the material of the slave about n (5.18), only in space: in the plane the
-      // tangent rotates with n alone.
-      if constexpr (dim == 3)
-        {
-          const ConvectedFrame<3> frame_now(frame.normal, frame.deformation, n);
-          const auto             &tau     = frame_now.vectors;
-          const auto              E       = vectors_across(frame.normal);
-          const Tensor<1, 3>      rotated = (T * tau[0]) * tau[1] - (T * tau[1]) * tau[0];
-          const Tensor<1, m>      by_w    = inverse * covariant(rotated) / frame_now.stretch;
-          for (unsigned int a = 0; a < m; ++a)
-            {
-              C(w + a, spin) += by_w[a];
-              add_dn(w + a, tau[1], -by_w[a] * (n * (frame.deformation * E[0])));
-              add_dn(w + a, tau[0], by_w[a] * (n * (frame.deformation * E[1])));
-            }
-          point.of_slave.emplace_back();
-          for (unsigned int a = 0; a < m; ++a)
-            point.of_slave.back()[a] =
-              frame.parameters[0][a] * tau[1] - frame.parameters[1][a] * tau[0];
-        }
-      point.factors.assign(size * size, 0.);
-      for (unsigned int i = 0; i < size; ++i)
-        for (unsigned int j = 0; j < size; ++j)
-          point.factors[i * size + j] = C(i, j);
+      const auto contravariant = [&](const Tensor<1, dim> &v) { return inverse * covariant(v); };
+      add_rotation_of_slave(T, n, frame, contravariant, w, spin, add_dn, C, point);
+      set_factors(C, point);
+    }
+
+    /// The same against an obstacle, with the rows t_a.w, n.w, the spins s_i, and in space
+    /// tau_2.uS,1 - tau_1.uS,2, where w is the displacement relative to the obstacle and t_a are
+    /// its tangents; dn = Q w + s x n (doc/theory, (5.14)). What the spin of an obstacle changes in
+    /// the direction of its own motion is left out: that concerns obstacles under given moments
+    /// only, and there only the rate of convergence.
+    /// @param rigid normal motion of the obstacle at the point, over its degrees of freedom
+    template <int dim>
+    void
+    add_tangential_against_obstacle(const Tensor<1, dim>          &T,
+                                    const Tensor<1, dim>          &n,
+                                    const SparseRow               &rigid,
+                                    const GapSecondVariation<dim> &second_variation,
+                                    const SurfaceFrame<dim>       &frame,
+                                    LoadedPoint<dim>              &point)
+    {
+      constexpr unsigned int m    = dim - 1, jump = m;
+      const unsigned int     old  = second_variation.rigid.size(), spin = old + 1,
+                             size = old + 1 + (dim == 3 ? 1 : 0);
+      const auto         &tangents = second_variation.directions;
+      const auto          slot     = [&](const unsigned int i) { return i < m ? i : i + 1; };
+      FullMatrix<double>  C(size, size);
+      for (unsigned int i = 0; i < old; ++i)
+        for (unsigned int j = 0; j < old; ++j)
+          C(slot(i), slot(j)) = point.factors[i * old + j];
+      // Row a of the second variation is t_a . dn.
+      const auto add_dn = [&](const unsigned int i, const Tensor<1, dim> &v, const double factor) {
+        for (unsigned int a = 0; a < m; ++a)
+          for (unsigned int j = 0; j < old; ++j)
+            C(i, slot(j)) += factor * (v * tangents[a]) * second_variation.factors[a * old + j];
+      };
+      add_dn(jump, T, -1);
+      point.directions.push_back(n);
+      SparseRow normal_motion = rigid;
+      for (auto &entry : normal_motion)
+        entry.second *= -1;
+      point.rigid.insert(point.rigid.begin() + m, normal_motion);
+      const auto components = [&](const Tensor<1, dim> &v) {
+        Tensor<1, m> result;
+        for (unsigned int a = 0; a < m; ++a)
+          result[a] = v * tangents[a];
+        return result;
+      };
+      add_rotation_of_slave(T, n, frame, components, 0, spin, add_dn, C, point);
+      set_factors(C, point);
     }
 
     /// The forces at points of integration, from the tractions of rows: sums over the shares of a
@@ -328,8 +403,10 @@ namespace Signorini
               continue;
             result.push_back(pressed(point.slave, point.master, n, point.second_variation, force));
             // The second variation against obstacles has other factors, see GapSecondVariation.
-            AssertThrow(T.norm_square() == 0 || !point.master.empty(), ExcNotImplemented());
-            if (T.norm_square() > 0)
+            if (T.norm_square() > 0 && point.master.empty())
+              add_tangential_against_obstacle(
+                T, n, point.rigid, point.second_variation, surface.frames[q], result.back());
+            else if (T.norm_square() > 0)
               add_tangential(T, n, point.second_variation, surface.frames[q], result.back());
           }
         for (unsigned int q = 0; q < surface.edge_points.size(); ++q)

@@ -118,6 +118,7 @@ namespace Signorini
         frame.deformation           = deformation_of(rest, now, xi);
         // The vector from the projection to the slave point, now and at the start of the step: the
         // slip is the change of its tangential part (equation 5.16).
+        frame.rigid_motion         = master_point.rigid_motion;
         frame.apart                = now.position(xi) - master_point.position;
         frame.deformation_at_start = frame.deformation; // no slip
         frame.apart_at_start       = frame.apart;

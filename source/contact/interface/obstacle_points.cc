@@ -35,7 +35,8 @@ namespace Signorini
                                                        numbers::invalid_dof_index;
     }
 
-    /// The row n . u of an obstacle at x over its rigid-body degrees of freedom.
+    /// The row n . u of an obstacle at x over its rigid-body degrees of freedom; empty if it is
+    /// fixed.
     template <int dim>
     SparseRow
     rigid_row(const RigidPose<dim>         &pose,
@@ -64,10 +65,13 @@ namespace Signorini
                   const std::vector<FacePatch<dim>> &slave,
                   const Obstacle<dim>               &obstacle,
                   const Integration                 &integration,
-                  const double                       limit)
+                  const double                       limit,
+                  const bool                         with_motion)
   {
     const auto                    first = first_dof(configuration.elasticity(), obstacle);
     const RigidPose<dim>          pose  = configuration.pose(obstacle);
+    const RigidPose<dim>          pose_at_start =
+      configuration.start() ? configuration.start()->pose(obstacle) : pose;
     const Quadrature<dim - 1>     rule  = face_rule<dim>(integration);
     std::vector<PairedPoint<dim>> points;
     for (unsigned int i = 0; i < slave.size(); ++i)
@@ -90,6 +94,17 @@ namespace Signorini
           point.master_point.bound     = std::numeric_limits<double>::infinity();
           point.master_point.rigid =
             rigid_row(pose, first, point.master_point.position, point_on_obstacle.normal);
+          if (with_motion)
+            {
+              const Point<dim> &y      = point.master_point.position;
+              point.master_point.start = pose_at_start.position(pose.to_body(y));
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  Tensor<1, dim> unit;
+                  unit[d]                            = 1;
+                  point.master_point.rigid_motion[d] = rigid_row(pose, first, y, unit);
+                }
+            }
           if (!configuration.is_reference())
             point.master_point.second_variation =
               second_variation_of_obstacle(point_on_obstacle, pose, x, first);
@@ -106,11 +121,13 @@ namespace Signorini
                   const std::vector<FacePatch<2>> &,
                   const Obstacle<2> &,
                   const Integration &,
-                  double);
+                  double,
+                  bool);
   template std::vector<PairedPoint<3>>
   obstacle_points(const Configuration<3> &,
                   const std::vector<FacePatch<3>> &,
                   const Obstacle<3> &,
                   const Integration &,
-                  double);
+                  double,
+                  bool);
 } // namespace Signorini

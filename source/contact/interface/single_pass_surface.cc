@@ -269,7 +269,8 @@ namespace Signorini
       {
         const SlaveSide<dim> side(slave.patches, self ? &slave.rest : nullptr);
         if (obstacle)
-          paired = obstacle_points(configuration, slave.patches, *obstacle, integration, limit);
+          paired = obstacle_points(
+            configuration, slave.patches, *obstacle, integration, limit, method.uses_slip());
         else if (has_fixed_points)
           paired = reproject_points(side, fixed_points, master(), limit, comm, surface.statistics);
         else

@@ -112,6 +112,9 @@ namespace Signorini
     dealii::Tensor<1, dim> apart_at_start;
     /// E_j = sum_a parameters[j][a] dX/dxi_a: orthonormal vectors along the slave at rest.
     std::array<dealii::Tensor<1, dim - 1>, dim - 1> parameters;
+    /// The displacement of an obstacle at the projection, component by component, by its
+    /// rigid-body degrees of freedom; empty for bodies and for obstacles at rest.
+    std::array<SparseRow, dim> rigid_motion;
   };
 
   /// A quadrature point of a segment edge, where the contact segment ends because its master face

@@ -63,6 +63,7 @@ namespace Signorini
   /// search and no segments.
   /// @param slave faces in the current configuration
   /// @param limit search radius [length]
+  /// @param with_motion also the motion of the obstacle at the points, for the slip
   /// @return the points with a projection, sorted by slave faces
   template <int dim>
   std::vector<PairedPoint<dim>>
@@ -70,7 +71,8 @@ namespace Signorini
                   const std::vector<FacePatch<dim>> &slave,
                   const Obstacle<dim>               &obstacle,
                   const Integration                 &integration,
-                  double                             limit);
+                  double                             limit,
+                  bool                               with_motion);
 
   /// Drop points of negligible weight: segments that only share a line with a face have no area.
   template <int dim>

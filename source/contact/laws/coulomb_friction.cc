@@ -89,8 +89,24 @@ namespace Signorini
   {
     if (normal.status(point, trial) == ContactStatus::open)
       return ContactStatus::open;
-    const double radius = contact.coefficients.friction(point) * std::max(0., trial[0]);
-    return tangential(trial).norm() <= radius ? ContactStatus::stick : ContactStatus::slip;
+    // At the start of a load step the traction of points that slipped before is on the rim, and
+    // there is no slip yet: rounding must not decide, and they stick first.
+    constexpr double rounding = 1e-9;
+    const double     friction = contact.coefficients.friction(point),
+                     radius   = friction * std::max(0., trial[0]);
+    return friction > 0 && tangential(trial).norm() <= (1 + rounding) * radius ?
+             ContactStatus::stick :
+             ContactStatus::slip;
+  }
+
+
+
+  PointVectors
+  CoulombFriction::trial_from_traction(const LawInputs &in) const
+  {
+    PointVectors result = trial(in);
+    result[0]           = normal.trial_from_traction(in)[0];
+    return result;
   }
 
 

@@ -97,9 +97,13 @@ namespace Signorini
     trial(Index point, const LawInput &in) const override;
 
     /// Open where the normal law is; else stick if the trial traction is inside the disc of the
-    /// trial pressure.
+    /// trial pressure, or on its rim up to rounding. Without friction points slip.
     ContactStatus
     status(Index point, const LawVector &trial) const override;
+
+    /// Normal components as those of NormalContact, tangential ones as trial().
+    PointVectors
+    trial_from_traction(const LawInputs &in) const override;
 
     LawResponse
     response(Index point, const LawInput &in, ContactStatus status) const override;

@@ -107,6 +107,9 @@ namespace Signorini
     FaceShapeFunctions<dim> functions;
     /// Normal.u of an obstacle at the point, by its rigid-body degrees of freedom.
     SparseRow rigid;
+    /// The displacement of an obstacle at the point, component by component, by its rigid-body
+    /// degrees of freedom; set if the method uses the slip.
+    std::array<SparseRow, dim> rigid_motion;
     /// Row of the normal stress of the master at the point, positive in compression, hanging nodes
     /// condensed; for Nitsche's method only.
     SparseRow stress;

@@ -44,7 +44,7 @@ namespace Signorini
     }
 
     /// Add the rows of the slip at a point (doc/theory, (3.13)), times the shares of the rows of
-    /// its area. Obstacles are not implemented.
+    /// its area.
     /// @param rows positions of the rows in the matrix, one for each share
     template <int dim>
     void
@@ -55,7 +55,6 @@ namespace Signorini
              const std::vector<unsigned int> &rows,
              FaceMatrix                      &matrix)
     {
-      AssertThrow(point.rigid.empty(), ExcNotImplemented());
       for (unsigned int i = 0; i < shares.size(); ++i)
         {
           const auto frame_of_row = tangents.at(shares[i].row, frame, point.direction);
@@ -69,6 +68,13 @@ namespace Signorini
                     matrix.slip[a](rows[i], j) +=
                       shares[i].weight * sign * function.value * frame_of_row[a][d];
                 }
+          for (unsigned int d = 0; d < dim; ++d)
+            for (const auto &[column, value] : frame.rigid_motion[d])
+              {
+                const unsigned int j = position_in(matrix.columns, column);
+                for (unsigned int a = 0; a < dim - 1; ++a)
+                  matrix.slip[a](rows[i], j) -= shares[i].weight * value * frame_of_row[a][d];
+              }
         }
     }
 
@@ -101,6 +107,10 @@ namespace Signorini
           for (const auto *entries : {&point.rigid, &point.stress})
             for (const auto &entry : *entries)
               matrix.columns.push_back(entry.first);
+          if (tangents)
+            for (const SparseRow &component : surface.frames[q].rigid_motion)
+              for (const auto &entry : component)
+                matrix.columns.push_back(entry.first);
         }
       sort_and_remove_duplicates(matrix.rows);
       sort_and_remove_duplicates(matrix.columns);
