@@ -57,7 +57,8 @@ namespace Signorini
           {
             LA::Vector component = nodal_field(snapshot, normal, pair);
             component.scale(recovered);
-            component += nodal(tangential_traction(snapshot, traction.size()));
+            component +=
+              nodal_field(snapshot, tangential_traction(snapshot, traction.size()), pair);
             traction.push_back(snapshot.elasticity.with_ghosts(component));
           }
       }
