@@ -67,10 +67,10 @@ namespace Signorini
     // The meshes before were made for the end of the history, whose state no path has led to.
     if (position.step == 0 && problem.equilibrium->is_path_dependent() && problem.state.time > 0)
       return_to_start();
-    const double     final_tolerance =
+    const double final_tolerance =
       scene.goals.has_targets() && is_one ?
-            std::max(std::min(refinement.tolerance, largest_tolerance), scene.newton.tolerance) :
-            scene.newton.tolerance;
+        std::max(std::min(refinement.tolerance, largest_tolerance), scene.newton.tolerance) :
+        scene.newton.tolerance;
     apply_load_history(final_tolerance, position, [&](const unsigned int step) {
       // Meshes that were made for other load steps may be too coarse for the last one by a little.
       const bool is_judged =

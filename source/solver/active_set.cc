@@ -72,12 +72,29 @@ namespace Signorini
 
 
   void
-  ActiveSet::stick_newly_closed(const LA::Vector &pressure)
+  ActiveSet::stick_where_slip_has_no_direction(const PointVectors &trial,
+                                               const PointVectors &traction)
   {
-    const auto slip = static_cast<double>(ContactStatus::slip);
     for (const auto i : now.locally_owned_elements())
-      if (now(i) == slip && pressure(i) == 0 && contact.coefficients.friction(i) > 0)
-        now(i) = static_cast<double>(ContactStatus::stick);
+      if (status_of(now(i)) == ContactStatus::slip && contact.coefficients.friction(i) > 0)
+        {
+          double along = 0;
+          for (unsigned int a = 1; a < trial.size(); ++a)
+            along += trial[a](i) * traction[a](i);
+          if (traction[0](i) == 0 || along < 0)
+            now(i) = static_cast<double>(ContactStatus::stick);
+        }
+    now.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  ActiveSet::keep_kinds()
+  {
+    for (const auto i : now.locally_owned_elements())
+      if (is_closed(now(i)) && is_closed(last(i)))
+        now(i) = last(i);
     now.compress(VectorOperation::insert);
   }
 

@@ -49,12 +49,19 @@ namespace Signorini
     void
     update(const LA::Vector &status);
 
-    /// Let the slipping points that had no pressure stick, where there is friction: the direction of
-    /// their slip is not known yet, and exactly those bodies that friction alone holds would have no
-    /// stiffness. No effect on laws without friction.
-    /// @param pressure of the last step
+    /// Let slipping points stick for this step, where there is friction, if the direction of their
+    /// slip is not known: points that had no pressure, and points whose tangential traction would
+    /// turn by more than a right angle. The former may be all that holds a body; the latter pass
+    /// through the inside of the disc, and would else jump from one side of its rim to the other
+    /// for ever. No effect on laws without friction.
+    /// @param trial trial traction of the law
+    /// @param traction of the last step
     void
-    stick_newly_closed(const LA::Vector &pressure);
+    stick_where_slip_has_no_direction(const PointVectors &trial, const PointVectors &traction);
+
+    /// Let the points that were and are closed keep the kind of their status, slip or stick.
+    void
+    keep_kinds();
 
     /// Restrict the newly active points of each pair to those with at least half of the deepest
     /// penetration. Where smooth bodies penetrate each other, the contact area is only a part of

@@ -88,8 +88,6 @@ namespace Signorini
     const LA::Vector  &gap    = in.gap[0];
     const unsigned int before = active_set.size();
     active_set.update(law.status(trial));
-    if (contact.n_components() > 1)
-      active_set.stick_newly_closed(in.traction[0]);
     const unsigned int all = active_set.size();
     // If the active set is too small, the bodies penetrate each other in a wide surrounding until
     // they are supported: the set of the law would then be far too large.
@@ -105,6 +103,13 @@ namespace Signorini
                                     falls  ? active_set.deactivate_zero_gap(gap) :
                                              active_set.restrict_to_deepest(gap, grows);
         step.restricted_set       = kept < all;
+      }
+    if (contact.n_components() > 1)
+      {
+        // Slips are those of the last load step until the first step.
+        if (n == 0 && !is_cold)
+          active_set.keep_kinds();
+        active_set.stick_where_slip_has_no_direction(trial, in.traction);
       }
     if (!globalised && n > 0)
       active_set.deactivate_tensile_regions(trial[0]);

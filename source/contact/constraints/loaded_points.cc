@@ -89,7 +89,7 @@ namespace Signorini
       for (const auto &[slot, value] : rigid[i])
         dst[slot] += value * s[i];
     unsigned int next = n_jumps();
-    const auto add = [dst](const NodeShapeFunction<dim> &function,
+    const auto   add  = [dst](const NodeShapeFunction<dim> &function,
                            const Tensor<1, dim>         &direction,
                            const double                  factor) {
       for (unsigned int d = 0; d < dim; ++d)
@@ -283,12 +283,12 @@ namespace Signorini
                                     const SurfaceFrame<dim>       &frame,
                                     LoadedPoint<dim>              &point)
     {
-      constexpr unsigned int m    = dim - 1, jump = m;
-      const unsigned int     old  = second_variation.rigid.size(), spin = old + 1,
-                             size = old + 1 + (dim == 3 ? 1 : 0);
-      const auto         &tangents = second_variation.directions;
-      const auto          slot     = [&](const unsigned int i) { return i < m ? i : i + 1; };
-      FullMatrix<double>  C(size, size);
+      constexpr unsigned int m = dim - 1, jump = m;
+      const unsigned int     old = second_variation.rigid.size(), spin = old + 1,
+                         size     = old + 1 + (dim == 3 ? 1 : 0);
+      const auto        &tangents = second_variation.directions;
+      const auto         slot     = [&](const unsigned int i) { return i < m ? i : i + 1; };
+      FullMatrix<double> C(size, size);
       for (unsigned int i = 0; i < old; ++i)
         for (unsigned int j = 0; j < old; ++j)
           C(slot(i), slot(j)) = point.factors[i * old + j];

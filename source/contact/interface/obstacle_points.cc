@@ -68,11 +68,11 @@ namespace Signorini
                   const double                       limit,
                   const bool                         with_motion)
   {
-    const auto                    first = first_dof(configuration.elasticity(), obstacle);
-    const RigidPose<dim>          pose  = configuration.pose(obstacle);
-    const RigidPose<dim>          pose_at_start =
+    const auto           first = first_dof(configuration.elasticity(), obstacle);
+    const RigidPose<dim> pose  = configuration.pose(obstacle);
+    const RigidPose<dim> pose_at_start =
       configuration.start() ? configuration.start()->pose(obstacle) : pose;
-    const Quadrature<dim - 1>     rule  = face_rule<dim>(integration);
+    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
     std::vector<PairedPoint<dim>> points;
     for (unsigned int i = 0; i < slave.size(); ++i)
       for (unsigned int q = 0; q < rule.size(); ++q)

@@ -93,7 +93,7 @@ namespace Signorini
     // there is no slip yet: rounding must not decide, and they stick first.
     constexpr double rounding = 1e-9;
     const double     friction = contact.coefficients.friction(point),
-                     radius   = friction * std::max(0., trial[0]);
+                 radius       = friction * std::max(0., trial[0]);
     return friction > 0 && tangential(trial).norm() <= (1 + rounding) * radius ?
              ContactStatus::stick :
              ContactStatus::slip;
