@@ -30,6 +30,7 @@ namespace Signorini
     , now(contact.coefficients.bilateral)
     , last(contact.coefficients.bilateral)
     , changes(contact.zero())
+    , turns(contact.zero())
     , n_bilateral(count(contact.coefficients.bilateral))
   {}
 
@@ -41,6 +42,7 @@ namespace Signorini
   {
     history.clear();
     changes = 0.;
+    turns   = 0.;
   }
 
 
@@ -72,8 +74,7 @@ namespace Signorini
 
 
   void
-  ActiveSet::stick_where_slip_has_no_direction(const PointVectors &trial,
-                                               const PointVectors &traction)
+  ActiveSet::stick_where_traction_turns(const PointVectors &trial, const PointVectors &traction)
   {
     for (const auto i : now.locally_owned_elements())
       if (status_of(now(i)) == ContactStatus::slip && contact.coefficients.friction(i) > 0)
@@ -81,10 +82,14 @@ namespace Signorini
           double along = 0;
           for (unsigned int a = 1; a < trial.size(); ++a)
             along += trial[a](i) * traction[a](i);
-          if (traction[0](i) == 0 || along < 0)
+          const double n      = turns(i) + (along < 0);
+          const bool   sticks = n >= 2;
+          turns(i)            = sticks ? 0 : n;
+          if (sticks)
             now(i) = static_cast<double>(ContactStatus::stick);
         }
     now.compress(VectorOperation::insert);
+    turns.compress(VectorOperation::insert);
   }
 
 
@@ -296,14 +301,16 @@ namespace Signorini
 
 
 
-  // Points with a gap of zero to rounding close, as slipping ones. Collective.
+  // Points with a gap of zero to rounding close. With friction they stick: it may be all that holds
+  // a body. Collective.
   unsigned int
   ActiveSet::activate_zero_gap(const LA::Vector &gap)
   {
     const double rounding = coordinate_rounding();
     for (const auto i : gap.locally_owned_elements())
       if (gap(i) <= rounding && !is_closed(now(i)))
-        now(i) = static_cast<double>(ContactStatus::slip);
+        now(i) = static_cast<double>(contact.coefficients.friction(i) > 0 ? ContactStatus::stick :
+                                                                            ContactStatus::slip);
     now.compress(VectorOperation::insert);
     return count(now);
   }

@@ -49,15 +49,14 @@ namespace Signorini
     void
     update(const LA::Vector &status);
 
-    /// Let slipping points stick for this step, where there is friction, if the direction of their
-    /// slip is not known: points that had no pressure, and points whose tangential traction would
-    /// turn by more than a right angle. The former may be all that holds a body; the latter pass
-    /// through the inside of the disc, and would else jump from one side of its rim to the other
-    /// for ever. No effect on laws without friction.
+    /// Let slipping points stick for this step, where there is friction, if their tangential
+    /// traction turns by more than a right angle for the second time since restart(): stick is
+    /// between the two, and they would else jump from one side of the disc to the other for ever.
+    /// No effect on laws without friction.
     /// @param trial trial traction of the law
     /// @param traction of the last step
     void
-    stick_where_slip_has_no_direction(const PointVectors &trial, const PointVectors &traction);
+    stick_where_traction_turns(const PointVectors &trial, const PointVectors &traction);
 
     /// Let the points that were and are closed keep the kind of their status, slip or stick.
     void
@@ -133,6 +132,8 @@ namespace Signorini
     // Statuses of the present and the last step, and the number of changes of each point.
     const GapOperator &contact;
     LA::Vector         now, last, changes;
+    // How often tractions have turned since restart() or since the points stuck.
+    LA::Vector turns;
     // Number of bilateral points on all ranks.
     const unsigned int n_bilateral;
     // Hash values of the sets since restart().

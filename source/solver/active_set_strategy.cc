@@ -109,7 +109,7 @@ namespace Signorini
         // Slips are those of the last load step until the first step.
         if (n == 0 && !is_cold)
           active_set.keep_kinds();
-        active_set.stick_where_slip_has_no_direction(trial, in.traction);
+        active_set.stick_where_traction_turns(trial, in.traction);
       }
     if (!globalised && n > 0)
       active_set.deactivate_tensile_regions(trial[0]);

@@ -9,6 +9,9 @@ namespace Signorini
 
   namespace
   {
+    /// Elastic slip where tractions are unknowns, relative to traction/epsilon.
+    constexpr double compliance = 1e-10;
+
     /// The tangential part of a vector at a point.
     LawVector
     tangential(LawVector v)
@@ -111,6 +114,10 @@ namespace Signorini
 
 
 
+  // Where supports leave no slip, for example at a plane of symmetry, rows of the slip are zero and
+  // the traction along them is undetermined: a compliance far below the accuracy of solutions makes
+  // it zero.
+  //
   // The chain rule: the trial depends on gap and slip by -eps, and on what t^ is by 1.
   LawResponse
   CoulombFriction::response(const Index point, const LawInput &in, const ContactStatus status) const
@@ -143,6 +150,11 @@ namespace Signorini
               }
             const double through              = shift == PressureShift::multiplier ? by_trial : 0;
             result.residual_by_traction[a][b] = ((a == b ? 1. : 0.) - through) / epsilon;
+          }
+        if (has_multiplier())
+          {
+            result.residual[a] += compliance * in.traction[a] / epsilon;
+            result.residual_by_traction[a][a] += compliance / epsilon;
           }
       }
     return result;
