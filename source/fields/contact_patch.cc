@@ -122,12 +122,16 @@ namespace Signorini
     public:
       static constexpr unsigned int n = dim == 2 ? 2 : 4;
 
-      Lattice(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
+      /// @param marks 1 at the rows inside of the zone
+      Lattice(const Snapshot<dim> &s,
+              const unsigned int   pair,
+              const LA::Vector    &pressure,
+              const LA::Vector    &marks)
         : s(s)
         , surface(s.surfaces[pair])
         , directions(s.pairs[pair].directions)
         , squares(s.elasticity.with_ghosts(squares_of(pressure)))
-        , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
+        , status(s.elasticity.with_ghosts(nodal_field(s, marks, pair)))
       {}
 
       /// @return the moments of the contact zone on this rank. Collective.
@@ -365,12 +369,12 @@ namespace Signorini
     /// @return the moments of the active points, for methods that sample at points. Collective.
     template <int dim>
     Moments<dim>
-    moments_of_points(const Snapshot<dim> &s, const unsigned int pair)
+    moments_of_points(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &marks)
     {
       Moments<dim> result(s.pairs[pair].directions);
       auto         row = first_row(s, pair);
       for (const ContactPoint<dim> &point : s.surfaces[pair].points)
-        if (s.active(row++) > 0)
+        if (marks(row++) > 0)
           {
             const double area = point.weight * point.stretch;
             result.add(area, point.slave_force_point);
@@ -387,13 +391,25 @@ namespace Signorini
   // If no node is in contact, the active points are the zone.
   template <int dim>
   ContactPatch
-  contact_patch(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
+  contact_patch(const Snapshot<dim> &s,
+                const unsigned int   pair,
+                const LA::Vector    &density,
+                const LA::Vector    &marks)
   {
-    Moments<dim> moments = Lattice<dim>(s, pair, pressure).moments();
+    Moments<dim> moments = Lattice<dim>(s, pair, density, marks).moments();
     sum_up(moments, s.elasticity.mesh().communicator());
     if (moments.sums[0] <= 0 && !samples_nodes(s.contact))
-      moments = moments_of_points(s, pair);
+      moments = moments_of_points(s, pair, marks);
     return moments.patch(s.elasticity.model());
+  }
+
+
+
+  template <int dim>
+  ContactPatch
+  contact_patch(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
+  {
+    return contact_patch(s, pair, pressure, s.active);
   }
 
 
@@ -422,6 +438,10 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template ContactPatch contact_patch(const Snapshot<dim> &, unsigned int, const LA::Vector &);    \
+  template ContactPatch contact_patch(const Snapshot<dim> &,                                       \
+                                      unsigned int,                                                \
+                                      const LA::Vector &,                                          \
+                                      const LA::Vector &);                                         \
   template double       largest_pressure(const Snapshot<dim> &,                                    \
                                          unsigned int,                                             \
                                          const LA::Vector &,                                       \

@@ -20,11 +20,16 @@ namespace Signorini
     {
     public:
       /// @param raw the nodal pressures, see nodal_field()
-      Extrapolation(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &raw)
+      /// @param is_positive whether results are not to be negative
+      Extrapolation(const Snapshot<dim> &s,
+                    const unsigned int   pair,
+                    const LA::Vector    &raw,
+                    const bool           is_positive)
         : s(s)
         , number_of_pair(pair)
         , surface(s.surfaces[pair])
         , raw(s.elasticity.with_ghosts(raw))
+        , is_positive(is_positive)
         , centers(centers_of_functions())
         , slopes(mean_slopes())
       {}
@@ -111,7 +116,8 @@ namespace Signorini
           for (unsigned int c = 0; c < n; ++c)
             {
               const auto node = face.nodes[part[c]];
-              if (face.without_pressure[part[c]] || raw(node) <= 0 || centers[dim](node) <= 0)
+              if (face.without_pressure[part[c]] || (is_positive && raw(node) <= 0) ||
+                  centers[dim](node) <= 0)
                 return;
               values[c]    = raw(node);
               positions[c] = center(node);
@@ -127,7 +133,7 @@ namespace Signorini
         return summed(std::move(sums));
       }
 
-      /// @return the pressure at x, continued from a node; not negative if the pair can separate.
+      /// @return the pressure at x, continued from a node.
       double
       extrapolated(const types::global_dof_index node, const Point<dim> &x) const
       {
@@ -135,7 +141,7 @@ namespace Signorini
         if (slopes[dim](node) > 0)
           for (unsigned int d = 0; d < dim; ++d)
             value += slopes[d](node) / slopes[dim](node) * (x[d] - center(node)[d]);
-        return s.pairs[number_of_pair].can_separate ? std::max(0., value) : value;
+        return is_positive ? std::max(0., value) : value;
       }
 
       /// @return whether a point is on the axis of an axisymmetric model, where the node has no
@@ -175,6 +181,7 @@ namespace Signorini
       const ContactSurface<dim> &surface;
       /// Nodal pressures before the extrapolation, with ghost values.
       const LA::Vector raw;
+      const bool       is_positive;
       /// Results of centers_of_functions() and mean_slopes().
       const std::vector<LA::Vector> centers, slopes;
     };
@@ -187,22 +194,19 @@ namespace Signorini
   extrapolate_to_dirichlet_nodes(const Snapshot<dim> &s,
                                  const unsigned int   pair,
                                  const LA::Vector    &raw,
+                                 const bool           is_positive,
                                  LA::Vector          &pressure)
   {
     if (s.surfaces[pair].has_dirichlet_nodes)
-      Extrapolation<dim>(s, pair, raw).apply(pressure);
+      Extrapolation<dim>(s, pair, raw, is_positive).apply(pressure);
   }
 
 
 
   template void
-  extrapolate_to_dirichlet_nodes(const Snapshot<2> &,
-                                 unsigned int,
-                                 const LA::Vector &,
-                                 LA::Vector &);
+  extrapolate_to_dirichlet_nodes(
+    const Snapshot<2> &, unsigned int, const LA::Vector &, bool, LA::Vector &);
   template void
-  extrapolate_to_dirichlet_nodes(const Snapshot<3> &,
-                                 unsigned int,
-                                 const LA::Vector &,
-                                 LA::Vector &);
+  extrapolate_to_dirichlet_nodes(
+    const Snapshot<3> &, unsigned int, const LA::Vector &, bool, LA::Vector &);
 } // namespace Signorini

@@ -28,10 +28,12 @@ namespace Signorini
     public:
       /// Integrate the functions over the contact points: areas, offsets and the matrices of the
       /// faces. Collective.
-      Recovery(const Snapshot<dim> &s, const unsigned int pair)
+      /// @param values the density on the rows of the gap operator
+      Recovery(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &values)
         : s(s)
         , surface(s.surfaces[pair])
-        , raw(s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair)))
+        , by_row(values)
+        , raw(s.elasticity.with_ghosts(nodal_field(s, values, pair)))
         , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
         , number_of_pair(pair)
         , vertices(s.elasticity, surface.slave_faces)
@@ -193,7 +195,7 @@ namespace Signorini
             const auto            shape = LagrangePolynomials<dim - 1>(face.degree, point.xi);
             double                own   = 0;
             if (!at_nodes)
-              own = s.pressure(row++);
+              own = by_row(row++);
             else if (!is_dual)
               for (unsigned int i = 0; i < shape.size(); ++i)
                 own += shape.value(i) * raw(face.nodes[i]);
@@ -365,7 +367,8 @@ namespace Signorini
 
       const Snapshot<dim>       &s;
       const ContactSurface<dim> &surface;
-      /// Nodal pressure and status, with ghost values.
+      const LA::Vector          &by_row;
+      /// Nodal density and status, with ghost values.
       const LA::Vector   raw, status;
       const unsigned int number_of_pair;
       const Vertices     vertices;
@@ -381,25 +384,36 @@ namespace Signorini
 
 
 
+  template <int dim>
+  LA::Vector
+  recovered_density(const Snapshot<dim> &s,
+                    const unsigned int   pair,
+                    const LA::Vector    &values,
+                    const bool           is_positive)
+  {
+    unsigned int degree = 0;
+    for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+      degree = std::max(degree, face.degree);
+    const LA::Vector raw    = nodal_field(s, values, pair);
+    LA::Vector       result = Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2 ?
+                                raw :
+                                Recovery<dim>(s, pair, values).run();
+    extrapolate_to_dirichlet_nodes(s, pair, raw, is_positive, result);
+    to_present_areas(s, pair, result);
+    return result;
+  }
+
+
+
   // Computed once for each pair and stored in the snapshot.
   template <int dim>
   const LA::Vector &
   recovered_pressure(const Snapshot<dim> &s, const unsigned int pair)
   {
     const auto [place, is_new] = s.recovered->try_emplace(pair);
-    LA::Vector &result         = place->second;
-    if (!is_new)
-      return result;
-    unsigned int degree = 0;
-    for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
-      degree = std::max(degree, face.degree);
-    const LA::Vector raw = nodal_field(s, s.pressure, pair);
-    result               = Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2 ?
-                             raw :
-                             Recovery<dim>(s, pair).run();
-    extrapolate_to_dirichlet_nodes(s, pair, raw, result);
-    to_present_areas(s, pair, result);
-    return result;
+    if (is_new)
+      place->second = recovered_density(s, pair, s.pressure, s.pairs[pair].can_separate);
+    return place->second;
   }
 
 
@@ -408,4 +422,8 @@ namespace Signorini
   recovered_pressure(const Snapshot<2> &, unsigned int);
   template const LA::Vector &
   recovered_pressure(const Snapshot<3> &, unsigned int);
+  template LA::Vector
+  recovered_density(const Snapshot<2> &, unsigned int, const LA::Vector &, bool);
+  template LA::Vector
+  recovered_density(const Snapshot<3> &, unsigned int, const LA::Vector &, bool);
 } // namespace Signorini

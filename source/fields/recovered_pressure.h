@@ -29,4 +29,17 @@ namespace Signorini
   template <int dim>
   const LA::Vector &
   recovered_pressure(const Snapshot<dim> &snapshot, unsigned int pair);
+
+  /// @return any density by area, for example a component of the traction, at the nodes of the
+  /// slave, as recovered_pressure() for the pressure. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  /// @param values one for each row of the gap operator, by reference area
+  /// @param is_positive whether extrapolated values are not to be negative
+  template <int dim>
+  LA::Vector
+  recovered_density(const Snapshot<dim> &snapshot,
+                    unsigned int         pair,
+                    const LA::Vector    &values,
+                    bool                 is_positive);
 } // namespace Signorini

@@ -108,17 +108,19 @@ namespace Signorini
   /// Set the pressures at nodes without pressure function, and at their neighbours that have
   /// adopted their functions. The pressure of such a neighbour is the mean around the centre of
   /// both functions; from there it is extrapolated linearly with the gradients of adjacent parts of
-  /// faces, and not below zero if the pair can separate. Nodes on the axis of axisymmetric models
+  /// faces. Nodes on the axis of axisymmetric models
   /// are not changed. Collective.
   /// @param snapshot the solution
   /// @param pair its index
   /// @param raw pressure as nodal_field(), without ghost values
+  /// @param is_positive whether the values are not to be negative
   /// @param pressure whose values at these nodes are changed
   template <int dim>
   void
   extrapolate_to_dirichlet_nodes(const Snapshot<dim> &snapshot,
                                  unsigned int         pair,
                                  const LA::Vector    &raw,
+                                 bool                 is_positive,
                                  LA::Vector          &pressure);
 
   /// Convert a pressure from force per reference area, the unknown of the methods, to Cauchy

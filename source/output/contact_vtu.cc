@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "fields/friction_fields.h"
 #include "fields/nodal_fields.h"
 #include "fields/recovered_pressure.h"
 #include "output/files.h"
@@ -38,12 +39,18 @@ namespace Signorini
     template <int dim>
     struct Fields
     {
-      LA::Vector displacement, pressure, gap, status, coverage;
-      /// The components of the traction.
-      std::vector<LA::Vector> traction;
+      LA::Vector displacement, pressure, gap, status, coverage, stick;
+      /// The components of the traction, of its tangential part, and of the slip.
+      std::vector<LA::Vector> traction, tangential, slip;
 
       Fields(const Snapshot<dim> &snapshot, const unsigned int pair)
       {
+        const auto with_ghosts = [&](const std::vector<LA::Vector> &components) {
+          std::vector<LA::Vector> result;
+          for (const LA::Vector &component : components)
+            result.push_back(snapshot.elasticity.with_ghosts(component));
+          return result;
+        };
         const auto nodal = [&](const LA::Vector &values) {
           return snapshot.elasticity.with_ghosts(nodal_field(snapshot, values, pair));
         };
@@ -53,29 +60,21 @@ namespace Signorini
         gap                         = nodal(snapshot.gap);
         status                      = nodal(snapshot.active);
         coverage = snapshot.elasticity.with_ghosts(nodal_coverage(snapshot, pair));
-        for (const LA::Vector &normal : snapshot.contact.geometry.normal)
+        std::vector<LA::Vector>       sum;
+        const std::vector<LA::Vector> along = tangential_traction(snapshot, pair);
+        for (unsigned int d = 0; d < dim; ++d)
           {
-            LA::Vector component = nodal_field(snapshot, normal, pair);
-            component.scale(recovered);
-            component +=
-              nodal_field(snapshot, tangential_traction(snapshot, traction.size()), pair);
-            traction.push_back(snapshot.elasticity.with_ghosts(component));
+            sum.push_back(nodal_field(snapshot, snapshot.contact.geometry.normal[d], pair));
+            sum.back().scale(recovered);
+            if (!along.empty())
+              sum.back() += along[d];
           }
-      }
-
-      /// Component d of the tangential traction of all contact points, in the present
-      /// configuration.
-      static LA::Vector
-      tangential_traction(const Snapshot<dim> &snapshot, const unsigned int d)
-      {
-        LA::Vector result = snapshot.contact.zero();
-        for (unsigned int a = 0; a < snapshot.contact.tangential.direction.size(); ++a)
-          {
-            LA::Vector term = snapshot.contact_state.traction[a + 1];
-            term.scale(snapshot.contact.tangential.direction[a][d]);
-            result += term;
-          }
-        return result;
+        traction = with_ghosts(sum);
+        if (along.empty())
+          return;
+        tangential = with_ghosts(along);
+        slip       = with_ghosts(slip_since_contact(snapshot, pair));
+        stick      = nodal(sticks(snapshot.contact_state.status));
       }
     };
 
@@ -101,8 +100,9 @@ namespace Signorini
       }
 
     private:
-      // Rows of the data: the components of the displacement and of the traction, then these;
-      // deal.II expects the positions last.
+      // Rows of the data: the components of the displacement and of the traction, then these, then
+      // with friction the components of the tangential traction and of the slip, and the indicator
+      // of stick; deal.II expects the positions last.
       enum Row : unsigned int
       {
         traction = dim,
@@ -110,8 +110,19 @@ namespace Signorini
         gap,
         status,
         pair,
-        position
+        frictionless_end,
+        tangential = frictionless_end,
+        slip       = tangential + dim,
+        stick      = slip + dim,
+        frictional_end
       };
+
+      /// The first of the rows of the positions.
+      unsigned int
+      position() const
+      {
+        return has_friction ? frictional_end : frictionless_end;
+      }
 
       const std::vector<Patch> &
       get_patches() const override
@@ -125,15 +136,32 @@ namespace Signorini
         std::vector<std::string> names(dim, "displacement");
         names.insert(names.end(), dim, "traction");
         names.insert(names.end(), {"pressure", "gap", "status", "pair"});
+        if (!has_friction)
+          return names;
+        names.insert(names.end(), dim, "tangential_traction");
+        names.insert(names.end(), dim, "slip");
+        names.push_back("stick");
         return names;
       }
 
       NonscalarRanges
       get_nonscalar_data_ranges() const override
       {
-        constexpr auto vector = DataComponentInterpretation::component_is_part_of_vector;
-        return {std::make_tuple(0, dim - 1, "displacement", vector),
-                std::make_tuple(Row::traction, Row::traction + dim - 1, "traction", vector)};
+        NonscalarRanges result;
+        const auto      add = [&result](const unsigned int first, const std::string &name) {
+          result.emplace_back(first,
+                              first + dim - 1,
+                              name,
+                              DataComponentInterpretation::component_is_part_of_vector);
+        };
+        add(0, "displacement");
+        add(Row::traction, "traction");
+        if (has_friction)
+          {
+            add(Row::tangential, "tangential_traction");
+            add(Row::slip, "slip");
+          }
+        return result;
       }
 
       /// Add the slave faces of one pair.
@@ -149,6 +177,7 @@ namespace Signorini
                  Table<2, float>     &data) const;
 
       const unsigned int n_subdivisions;
+      const bool         has_friction;
       /// Evaluation at the points of a face: rule f is that of face f.
       hp::FEValues<dim>  values_on_faces;
       std::vector<Patch> patches;
@@ -159,6 +188,7 @@ namespace Signorini
     template <int dim>
     ContactFaces<dim>::ContactFaces(const Snapshot<dim> &snapshot)
       : n_subdivisions(snapshot.elasticity.degree())
+      , has_friction(snapshot.contact.n_components() > 1)
       , values_on_faces(snapshot.elasticity.mesh().mappings(),
                         snapshot.elasticity.finite_elements(),
                         points_of_faces<dim>(n_subdivisions),
@@ -199,13 +229,13 @@ namespace Signorini
       patch.n_subdivisions       = n_subdivisions;
       patch.reference_cell       = ReferenceCells::get_hypercube<dim - 1>();
       patch.points_are_available = true;
-      patch.data.reinit(Row::position + dim, values.n_quadrature_points);
+      patch.data.reinit(position() + dim, values.n_quadrature_points);
       set_fields(values, fields, patch.data);
       for (const unsigned int q : values.quadrature_point_indices())
         {
           patch.data[Row::pair][q] = number;
           for (unsigned int d = 0; d < dim; ++d)
-            patch.data[Row::position + d][q] = values.quadrature_point(q)[d];
+            patch.data[position() + d][q] = values.quadrature_point(q)[d];
         }
       for (unsigned int v = 0; v < GeometryInfo<dim - 1>::vertices_per_cell; ++v)
         patch.vertices[v] =
@@ -224,7 +254,7 @@ namespace Signorini
     {
       std::vector<Tensor<1, dim>> u(values.n_quadrature_points);
       std::vector<double>         p(u.size()), g(u.size()), active(u.size()), coverage(u.size()),
-        traction(u.size());
+        component(u.size());
       // Nodal fields are stored at the first component of each node.
       const FEValuesExtractors::Scalar first(0);
       values[FEValuesExtractors::Vector(0)].get_function_values(fields.displacement, u);
@@ -232,12 +262,20 @@ namespace Signorini
       values[first].get_function_values(fields.gap, g);
       values[first].get_function_values(fields.status, active);
       values[first].get_function_values(fields.coverage, coverage);
+      const auto set = [&](const unsigned int row, const LA::Vector &field) {
+        values[first].get_function_values(field, component);
+        for (unsigned int q = 0; q < u.size(); ++q)
+          data[row][q] = component[q];
+      };
       for (unsigned int d = 0; d < dim; ++d)
+        set(Row::traction + d, fields.traction[d]);
+      for (unsigned int d = 0; d < fields.tangential.size(); ++d)
         {
-          values[first].get_function_values(fields.traction[d], traction);
-          for (unsigned int q = 0; q < u.size(); ++q)
-            data[Row::traction + d][q] = traction[q];
+          set(Row::tangential + d, fields.tangential[d]);
+          set(Row::slip + d, fields.slip[d]);
         }
+      if (has_friction)
+        set(Row::stick, fields.stick);
       for (unsigned int q = 0; q < u.size(); ++q)
         {
           for (unsigned int d = 0; d < dim; ++d)

@@ -7,6 +7,7 @@
 #include "fields/peak.h"
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
+#include "output/friction_results.h"
 #include "output/json.h"
 #include "solid/reactions.h"
 
@@ -204,58 +205,12 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    /// @return the entries of a pair with friction: stick and slip areas, the largest tangential
-    /// traction and slip of this load step, and the work that friction takes from the bodies in it,
-    /// -sum W t.s. Collective.
-    /// @param gaps gap and slip at all contact points
-    template <int dim>
-    Json
-    friction_results(const Snapshot<dim>  &s,
-                     const PointVectors   &gaps,
-                     const PairForce<dim> &force,
-                     const unsigned int    pair)
-    {
-      double stick = 0, slip = 0, largest = 0, farthest = 0, work = 0;
-      auto   which = s.contact.origin.pair.begin();
-      for (const auto i : s.pressure.locally_owned_elements())
-        if (*which++ == pair && is_closed(s.contact_state.status(i)))
-          {
-            const double weight = s.contact.weight(i);
-            (status_of(s.contact_state.status(i)) == ContactStatus::stick ? stick : slip) += weight;
-            double t = 0, d = 0;
-            for (unsigned int a = 1; a < gaps.size(); ++a)
-              {
-                const double along = s.contact_state.traction[a](i);
-                t                  = std::hypot(t, along);
-                d                  = std::hypot(d, double(gaps[a](i)));
-                work -= weight * along * gaps[a](i);
-              }
-            largest  = std::max(largest, t);
-            farthest = std::max(farthest, d);
-          }
-      const MPI_Comm comm = s.elasticity.mesh().communicator();
-      return {{"friction_force", list(force.friction_force)},
-              {"stick_area", Utilities::MPI::sum(stick, comm)},
-              {"slip_area", Utilities::MPI::sum(slip, comm)},
-              {"max_tangential_traction", Utilities::MPI::max(largest, comm)},
-              {"max_slip", Utilities::MPI::max(farthest, comm)},
-              {"friction_work", Utilities::MPI::sum(work, comm)}};
-    }
-  } // namespace
-
-
-
   // All values are those of the slave that the scene names, see force_of().
   template <int dim>
   Json
   pair_results(const Snapshot<dim> &snapshot)
   {
-    Json         result = Json::object();
-    PointVectors gaps;
-    if (snapshot.contact.n_components() > 1)
-      gaps = snapshot.contact.gaps(snapshot.displacement);
+    Json result = Json::object();
     for (unsigned int pair = 0; pair < snapshot.pairs.size(); ++pair)
       {
         const PairSums       sums         = sums_of(snapshot, pair);
@@ -283,7 +238,8 @@ namespace Signorini
           result[snapshot.pairs[pair].name]["contact_extents"] =
             extents(snapshot.pairs[pair], sums.patch);
         if (!snapshot.pairs[pair].friction.is_zero())
-          result[snapshot.pairs[pair].name].update(friction_results(snapshot, gaps, force, pair));
+          result[snapshot.pairs[pair].name].update(
+            friction_results(snapshot, force.friction_force, sums.patch.area, pair));
       }
     return result;
   }

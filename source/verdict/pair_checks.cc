@@ -320,6 +320,10 @@ namespace Signorini
           check_results.push_back(check_penetration(now, i, extent, extremes));
         if (!decisions.scene.contact.chosen().has_multipliers())
           check_results.push_back(check_penalty_roundoff(now, i, extent));
+        if (!pair.friction.is_zero())
+          for (const CheckResult &one :
+               check_friction(pair.name, results["pairs"][pair.name], extent, now.step))
+            check_results.push_back(one);
         if (obstacle)
           continue;
         check_results.push_back(check_slave_choice(pair.name, surface.sides));

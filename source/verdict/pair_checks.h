@@ -52,6 +52,17 @@ namespace Signorini
   ObstacleTip
   deepest_tip(const Obstacle<dim> &obstacle, const Snapshot<dim> &s, const std::string &surface);
 
+  /// @return the checks of a pair with friction: tractions, work, and load steps of the path.
+  /// @param name of the pair
+  /// @param results its entry of results.json
+  /// @param extent of the pair
+  /// @param step number of the load step
+  std::vector<CheckResult>
+  check_friction(const std::string            &name,
+                 const nlohmann::ordered_json &results,
+                 const ContactExtent          &extent,
+                 unsigned int                  step);
+
   /// @return the result of a check of a pair: passed up to the limit, otherwise a warning.
   /// @param check its name
   /// @param pair name of the pair

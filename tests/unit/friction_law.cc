@@ -91,7 +91,7 @@ namespace
   {
     std::uniform_real_distribution<double> any(-1, 1);
     LawInput                               in;
-    in.internal = {{LawVector()}, {}};
+    in.internal = {{LawVector(), LawVector()}, {0.}};
     for (unsigned int a = 0; a < 3; ++a)
       {
         in.gap[a]      = any(numbers) / epsilon;
@@ -210,7 +210,7 @@ TEST_CASE("law of Coulomb: the loop of a penalty has the dissipation of the clos
   const CoulombFriction law(Choice(PressureShift::none, false), contact);
   LawInput              in;
   in.gap[0]   = -p / epsilon;
-  in.internal = {{LawVector()}, {}};
+  in.internal = law.initial_variables();
   double work = 0, at = 0;
   for (unsigned int cycle = 0; cycle < 3; ++cycle)
     {

@@ -122,8 +122,9 @@ namespace Signorini
   LawResponse
   CoulombFriction::response(const Index point, const LawInput &in, const ContactStatus status) const
   {
-    LawResponse result = normal.response(point, in, status);
-    result.internal    = initial_variables();
+    LawResponse result         = normal.response(point, in, status);
+    result.internal            = initial_variables();
+    result.internal.scalars[0] = in.internal.scalars[0];
     if (status == ContactStatus::open)
       return result;
 
@@ -138,6 +139,8 @@ namespace Signorini
         result.traction[a]  = has_multiplier() ? in.traction[a] : allowed.traction[a];
         result.residual[a]  = (before - allowed.traction[a]) / epsilon;
         result.internal.vectors[0][a] = result.traction[a];
+        result.internal.vectors[1][a] = in.internal.vectors[1][a] + in.gap[a];
+        result.internal.scalars[0] -= result.traction[a] * in.gap[a];
         for (unsigned int b = 0; b < n; ++b)
           {
             const double by_trial        = allowed.by_trial[a][b];

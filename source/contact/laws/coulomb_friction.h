@@ -18,7 +18,10 @@ namespace Signorini
   /// (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler,
   /// Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
   ///
-  /// The internal variable is the traction at the end of the last load step.
+  /// The internal variables are, at the end of the last load step: the tangential traction (vector
+  /// 0); the slip since the point came into contact (vector 1) [length]; and the work per area that
+  /// friction has taken from the bodies (scalar 0) [force/length]. A point that opens keeps the
+  /// last one only.
   class CoulombFriction : public ContactLaw
   {
   public:
@@ -49,7 +52,7 @@ namespace Signorini
     InternalVariables
     initial_variables() const override
     {
-      return {{LawVector()}, {}};
+      return {{LawVector(), LawVector()}, {0.}};
     }
 
     bool

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fields/friction_fields.h"
+
+#include "fields/nodal_fields.h"
+#include "fields/recovered_pressure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::vector<LA::Vector>
+  in_space(const Snapshot<dim> &s, const PointVectors &tangential)
+  {
+    std::vector<LA::Vector> result(dim, s.contact.zero());
+    for (unsigned int a = 0; a < dim - 1; ++a)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          LA::Vector term = tangential[a];
+          term.scale(s.contact.tangential.direction[a][d]);
+          result[d] += term;
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<LA::Vector>
+  tangential_traction(const Snapshot<dim> &s, const unsigned int pair)
+  {
+    std::vector<LA::Vector> result;
+    if (s.contact.n_components() > 1)
+      {
+        const PointVectors &t = s.contact_state.traction;
+        for (const LA::Vector &component : in_space(s, {t.begin() + 1, t.end()}))
+          result.push_back(recovered_density(s, pair, component, false));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<LA::Vector>
+  slip_since_contact(const Snapshot<dim> &s, const unsigned int pair)
+  {
+    std::vector<LA::Vector> result;
+    for (const LA::Vector &component : in_space(s, slip_at_points(s)))
+      result.push_back(nodal_field(s, component, pair));
+    return result;
+  }
+
+
+
+  // The slip before this load step is an internal variable, to which that of this step is added.
+  template <int dim>
+  PointVectors
+  slip_at_points(const Snapshot<dim> &s)
+  {
+    const std::vector<PointVectors> &before = s.contact_state.internal.vectors;
+    const PointVectors               gaps   = s.contact.gaps(s.displacement);
+    PointVectors                     result(gaps.begin() + 1, gaps.end());
+    for (unsigned int a = 0; a < result.size(); ++a)
+      {
+        for (const auto i : result[a].locally_owned_elements())
+          if (!is_closed(s.contact_state.status(i)))
+            result[a](i) = 0;
+          else if (before.size() > 1)
+            result[a](i) += before[1][a](i);
+        result[a].compress(VectorOperation::insert);
+      }
+    return result;
+  }
+
+
+
+  LA::Vector
+  sticks(const LA::Vector &status)
+  {
+    LA::Vector result = status;
+    for (const auto i : result.locally_owned_elements())
+      result(i) = status_of(status(i)) == ContactStatus::stick;
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  template <int dim>
+  ContactPatch
+  stick_zone(const Snapshot<dim> &s, const unsigned int pair)
+  {
+    const PointVectors &t      = s.contact_state.traction;
+    LA::Vector          margin = s.contact.coefficients.friction;
+    margin.scale(t[0]);
+    for (const auto i : margin.locally_owned_elements())
+      {
+        double size = 0;
+        for (unsigned int a = 1; a < t.size(); ++a)
+          size = std::hypot(size, double(t[a](i)));
+        margin(i) = std::max(0., margin(i) - size);
+      }
+    margin.compress(VectorOperation::insert);
+    return contact_patch(s,
+                         pair,
+                         recovered_density(s, pair, margin, true),
+                         sticks(s.contact_state.status));
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template std::vector<LA::Vector> in_space(const Snapshot<dim> &, const PointVectors &);          \
+  template std::vector<LA::Vector> tangential_traction(const Snapshot<dim> &, unsigned int);       \
+  template std::vector<LA::Vector> slip_since_contact(const Snapshot<dim> &, unsigned int);        \
+  template PointVectors            slip_at_points(const Snapshot<dim> &);                          \
+  template ContactPatch            stick_zone(const Snapshot<dim> &, unsigned int);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/friction_results.h"
+
+#include "fields/friction_fields.h"
+#include "output/json.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Sums and extreme values over the closed points of a pair.
+    struct FrictionSums
+    {
+      /// The work of this load step and of all [force*length].
+      double work = 0, total_work = 0;
+      /// Largest slip of this load step and since contact [length].
+      double slip = 0, total_slip = 0;
+      /// Largest slip of points that stick [length].
+      double elastic_slip = 0;
+      /// Largest |t| - mu p, and the largest work density that friction would give to the bodies,
+      /// t.s.
+      double excess = 0, gained = 0;
+
+      void
+      reduce_over_ranks(const MPI_Comm comm)
+      {
+        for (double *x : {&work, &total_work})
+          *x = Utilities::MPI::sum(*x, comm);
+        for (double *x : {&slip, &total_slip, &elastic_slip, &excess, &gained})
+          *x = Utilities::MPI::max(*x, comm);
+      }
+    };
+
+    /// @return the length of a vector at a point.
+    /// @param first the first of its components
+    double
+    size_at(const PointVectors &v, const types::global_dof_index i, const unsigned int first)
+    {
+      double square = 0;
+      for (unsigned int a = first; a < v.size(); ++a)
+        square += v[a](i) * v[a](i);
+      return std::sqrt(square);
+    }
+
+    /// @return the sums of one pair. Collective.
+    template <int dim>
+    FrictionSums
+    friction_sums(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      FrictionSums        sums;
+      const PointVectors  gaps     = s.contact.gaps(s.displacement);
+      const PointVectors  slip     = slip_at_points(s);
+      const PointVectors &t        = s.contact_state.traction;
+      const auto         &internal = s.contact_state.internal;
+      auto                which    = s.contact.origin.pair.begin();
+      for (const auto i : s.pressure.locally_owned_elements())
+        {
+          if (*which++ != pair)
+            continue;
+          const double weight = s.contact.weight(i);
+          if (!internal.scalars.empty())
+            sums.total_work += weight * internal.scalars[0](i);
+          if (!is_closed(s.contact_state.status(i)))
+            continue;
+          double work = 0;
+          for (unsigned int a = 1; a < gaps.size(); ++a)
+            work -= t[a](i) * gaps[a](i);
+          const double size = size_at(t, i, 1);
+          sums.work += weight * work;
+          sums.total_work += weight * work;
+          sums.slip       = std::max(sums.slip, size_at(gaps, i, 1));
+          sums.total_slip = std::max(sums.total_slip, size_at(slip, i, 0));
+          if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
+            sums.elastic_slip = std::max(sums.elastic_slip, size_at(gaps, i, 1));
+          sums.excess = std::max(sums.excess, size - s.contact.coefficients.friction(i) * t[0](i));
+          sums.gained = std::max(sums.gained, -work);
+        }
+      sums.reduce_over_ranks(s.elasticity.mesh().communicator());
+      return sums;
+    }
+
+    /// @return the largest tangential traction at the nodes. Collective.
+    template <int dim>
+    double
+    largest_tangential_traction(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      double                        largest = 0;
+      const std::vector<LA::Vector> t       = tangential_traction(s, pair);
+      for (const auto i : t[0].locally_owned_elements())
+        {
+          double square = 0;
+          for (const LA::Vector &component : t)
+            square += component(i) * component(i);
+          largest = std::max(largest, std::sqrt(square));
+        }
+      return Utilities::MPI::max(largest, s.elasticity.mesh().communicator());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Json
+  friction_results(const Snapshot<dim>  &s,
+                   const Tensor<1, dim> &force,
+                   const double          area,
+                   const unsigned int    pair)
+  {
+    const FrictionSums sums  = friction_sums(s, pair);
+    const ContactPatch stick = stick_zone(s, pair);
+    Json               result{{"friction_force", list(force)},
+                {"stick_area", stick.area},
+                {"slip_area", std::max(0., area - stick.area)},
+                {"stick_from", list(stick.from)},
+                {"stick_to", list(stick.to)},
+                {"stick_semi_axes", list(stick.semi_axes)},
+                {"max_tangential_traction", largest_tangential_traction(s, pair)},
+                {"max_slip", sums.slip},
+                {"max_slip_since_contact", sums.total_slip},
+                {"max_elastic_slip", sums.elastic_slip},
+                {"friction_work", sums.work},
+                {"total_friction_work", sums.total_work},
+                {"max_friction_excess", sums.excess},
+                {"max_friction_gain", sums.gained}};
+    return result;
+  }
+
+
+
+  template Json
+  friction_results(const Snapshot<2> &, const Tensor<1, 2> &, double, unsigned int);
+  template Json
+  friction_results(const Snapshot<3> &, const Tensor<1, 3> &, double, unsigned int);
+} // namespace Signorini

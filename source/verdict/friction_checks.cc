@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verdict/pair_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  namespace
+  {
+    /// Check that tangential tractions are inside of the cone, relative to the largest one.
+    CheckResult
+    check_cone(const std::string &name, const nlohmann::ordered_json &results)
+    {
+      const double largest = results["max_tangential_traction"],
+                   excess  = results["max_friction_excess"];
+      return make_check_result(
+        "tangential traction beyond friction",
+        name,
+        largest > 0 ? excess / largest : 0.,
+        1e-6,
+        "tangential tractions exceed the friction coefficient times the pressure, relative to "
+        "the largest one",
+        "set a smaller Newton/Tolerance");
+    }
+
+    /// Check that friction takes work from the bodies, apart from rounding.
+    CheckResult
+    check_dissipation(const std::string            &name,
+                      const nlohmann::ordered_json &results,
+                      const double                  area)
+    {
+      const double work  = results["total_friction_work"],
+                   scale = results["max_tangential_traction"].get<double>() *
+                           results["max_slip_since_contact"].get<double>() * area;
+      CheckResult check_result = make_check_result(
+        "work of friction",
+        name,
+        scale > 0 ? std::max(0., -work) / scale : 0.,
+        1e-6,
+        "friction gives work to the bodies, which it cannot",
+        "set a smaller Newton/Tolerance, and report this as an error of the program");
+      if (check_result.outcome == Outcome::warned)
+        check_result.outcome = Outcome::failed;
+      return check_result;
+    }
+
+    /// Check that a contact area that grows under friction does not do so in one load step: its
+    /// tractions depend on the path.
+    CheckResult
+    check_path(const std::string            &name,
+               const nlohmann::ordered_json &results,
+               const ContactExtent          &extent,
+               const unsigned int            step)
+    {
+      constexpr double none    = 1e-9; // gaps and tractions relative to others
+      const double     largest = results["max_tangential_traction"];
+      const bool       grew    = extent.largest_reference_gap > none * std::sqrt(extent.active);
+      CheckResult      check_result;
+      check_result.check       = "load steps of the path";
+      check_result.where       = "pair " + name;
+      check_result.aggregation = CheckResult::Aggregation::last;
+      check_result.value       = step;
+      check_result.limit       = 2;
+      check_result.outcome     = step < 2 && grew && largest > 1e-3 * extent.pressure &&
+                                 results["slip_area"].get<double>() > 0 ?
+                                   Outcome::warned :
+                                   Outcome::passed;
+      check_result.message =
+        "the contact area grows under friction in a single load step: stick zone and tangential tractions may be wrong by tens of percent";
+      check_result.advice = "set Load steps/Number = 10, and compare with 20";
+      return check_result;
+    }
+  } // namespace
+
+
+
+  std::vector<CheckResult>
+  check_friction(const std::string            &name,
+                 const nlohmann::ordered_json &results,
+                 const ContactExtent          &extent,
+                 const unsigned int            step)
+  {
+    return {check_cone(name, results),
+            check_dissipation(name, results, extent.active),
+            check_path(name, results, extent, step)};
+  }
+} // namespace Signorini
