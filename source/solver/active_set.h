@@ -58,6 +58,12 @@ namespace Signorini
     void
     stick_where_traction_turns(const PointVectors &trial, const PointVectors &traction);
 
+    /// Let the slipping points stick whose trial traction exceeds the bound of friction least, by
+    /// less than the mean. Returns their number. Collective.
+    /// @param trial trial traction of the law
+    unsigned int
+    stick_least_loaded(const PointVectors &trial);
+
     /// Let the points that were and are closed keep the kind of their status, slip or stick.
     void
     keep_kinds();
@@ -211,6 +217,10 @@ namespace Signorini
     /// at all: true for a stack of blocks, false for a ball on a plane. Collective.
     bool
     zero_gaps_constrain_all_modes(const LA::Vector &gap);
+    /// Let points stick if slipping ones leave bodies without constraint that friction has to hold.
+    /// Collective.
+    void
+    hold_bodies(const PointVectors &trial);
 
     ContactSystem     &system;
     ContactLaw        &law;
@@ -221,5 +231,6 @@ namespace Signorini
     bool               globalised   = false;
     double             my_reduction = 1e-2;
     unsigned int n_changes = 0; ///< steps that changed the set, since the strategy changed last
+    unsigned int n_holds   = 0; ///< steps in which hold_bodies() has changed the set
   };
 } // namespace Signorini

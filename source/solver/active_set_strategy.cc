@@ -54,6 +54,7 @@ namespace Signorini
   {
     globalised = false;
     n_changes  = 0;
+    n_holds    = 0;
     active_set.restart();
   }
 
@@ -110,6 +111,7 @@ namespace Signorini
         if (n == 0 && !is_cold)
           active_set.keep_kinds();
         active_set.stick_where_traction_turns(trial, in.traction);
+        hold_bodies(trial);
       }
     if (!globalised && n > 0)
       active_set.deactivate_tensile_regions(trial[0]);
@@ -150,6 +152,23 @@ namespace Signorini
         return true;
       }
     return step.changes > 0;
+  }
+
+
+
+  // Slipping points do not hold a body. If all points slip that have to hold one, the step would be
+  // infinite, although only a part of them may slip in the end. After `patience` such steps the
+  // friction does not suffice. Collective.
+  void
+  ActiveSetStrategy::hold_bodies(const PointVectors &trial)
+  {
+    if (system.unconstrained_modes().empty() || n_holds >= patience)
+      return;
+    system.find_unconstrained_modes(active_set.values());
+    const UnconstrainedModes &modes = system.unconstrained_modes();
+    if (modes.unconstrained().size() > modes.unconstrainable().size() &&
+        active_set.stick_least_loaded(trial) > 0)
+      ++n_holds;
   }
 
 

@@ -253,8 +253,12 @@ namespace Signorini
     if (!loaded.empty() && !system.unconstrained_modes().move_into_contact(u, r))
       {
         report.has_unconstrained_modes = true;
-        report.reason = "unconstrained rigid-body mode under load: " + join(loaded) +
-                        ": neither supports nor contact within the search distance constrain it";
+        report.reason =
+          "unconstrained rigid-body mode under load: " + join(loaded) +
+          (contact.n_components() > 1 ?
+             ": neither supports nor contact within the search distance constrain it, and the "
+             "friction of the contact pairs is exceeded: it slides as a whole; prescribe its motion" :
+             ": neither supports nor contact within the search distance constrain it");
       }
     if (contact.has_condensed_constraints)
       bodies.constraints().distribute(u);
