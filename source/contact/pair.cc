@@ -49,11 +49,7 @@ namespace Signorini
                 interference,
                 "fraction of the initial overlap (and of the initial gap of a no-separation pair) "
                 "that is applied, formula in t: 1: at once; t: linear ramp");
-    section.add(
-      "Friction",
-      friction,
-      "coefficient of Coulomb friction, formula in x,y,z (reference configuration) and t; 0: none. "
-      "The solution then depends on the load steps: compare with twice their Number");
+    friction.declare(section);
     section.add(
       "Search distance",
       search_distance,

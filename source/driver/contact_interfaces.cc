@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace Signorini
 {
@@ -256,45 +257,65 @@ namespace Signorini
   // search.
   template <int dim>
   void
-  ContactInterfaces<dim>::set_time(const double t)
+  ContactInterfaces<dim>::set_time(const double t, const InternalFields &internal)
   {
     std::vector<double> shares;
     for (const ContactPair<dim> &pair : decisions.pairs)
       shares.push_back(pair.interference.value({}, t));
     contact->set_interference(shares);
     if (scene.contact.chosen().has_friction)
-      set_friction(t);
+      set_friction(t, internal);
     if (contact->S_thermal.m() > 0)
       contact->set_temperature_change(elasticity.thermal().coefficients());
   }
 
 
 
-  // The coefficient of each point at its position in the reference configuration. Throws SceneError
-  // on all ranks where it is negative, or no number.
+  // The coefficient of each point at its position in the reference configuration, or the bound as a
+  // function of the pressure. Throws SceneError on all ranks where a coefficient is negative, or no
+  // number.
   template <int dim>
   void
-  ContactInterfaces<dim>::set_friction(const double t)
+  ContactInterfaces<dim>::set_friction(const double t, const InternalFields &internal)
   {
-    LA::Vector  &friction = contact->coefficients.friction;
-    auto         pair     = contact->origin.pair.begin();
-    unsigned int wrong    = 0; // one more than the number of a pair
-    for (const auto i : friction.locally_owned_elements())
+    ContactCoefficients &coefficients = contact->coefficients;
+    const bool           is_nonlinear =
+      std::any_of(decisions.pairs.begin(), decisions.pairs.end(), [](const auto &one) {
+        return one.friction.is_nonlinear();
+      });
+    const auto position = [this](const auto i) {
+      Point<dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = contact->geometry.position[d](i);
+      return x;
+    };
+    const auto slip = [internal](const auto i) {
+      return internal.scalars.size() > 1 ? double(internal.scalars[1](i)) : 0.;
+    };
+    std::map<types::global_dof_index, unsigned int> pair_of; // if the bound is nonlinear
+    auto                                            pair  = contact->origin.pair.begin();
+    unsigned int                                    wrong = 0; // one more than the number of a pair
+    for (const auto i : coefficients.friction.locally_owned_elements())
       {
-        Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = contact->geometry.position[d](i);
-        const double mu = decisions.pairs[*pair].friction.value(x, t);
-        if (!std::isfinite(mu) || mu < 0)
+        const FrictionCoefficient<dim> &friction = decisions.pairs[*pair].friction;
+        const double                    mu       = friction.value(position(i), t, 0., slip(i));
+        if (!std::isfinite(mu))
           wrong = *pair + 1;
-        friction(i) = mu;
+        if (is_nonlinear)
+          pair_of[i] = *pair;
+        coefficients.friction(i) = is_nonlinear && !friction.is_zero() ? 1. : mu;
         ++pair;
       }
-    friction.compress(VectorOperation::insert);
+    coefficients.friction.compress(VectorOperation::insert);
+    coefficients.bound_of = nullptr;
+    if (is_nonlinear)
+      coefficients.bound_of = [this, t, slip, position, pair_of](const auto i, const double p) {
+        return decisions.pairs[pair_of.at(i)].friction.bound(position(i), t, p, slip(i));
+      };
     wrong = Utilities::MPI::max(wrong, elasticity.mesh().communicator());
     if (wrong > 0)
       throw SceneError("Contact pairs/" + decisions.pairs[wrong - 1].name +
-                       "/Friction = " + decisions.pairs[wrong - 1].friction.formula() +
+                       "/Friction = " + decisions.pairs[wrong - 1].friction.mu.text +
                        ": is negative, or no number, at some points at t = " + short_text(t) +
                        "; correct the formula");
   }

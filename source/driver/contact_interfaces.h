@@ -127,9 +127,10 @@ namespace Signorini
     enlarge_search_radius();
 
     /// Set the time for the gap operator: interference factors of the pairs, and the stress due to
-    /// the present temperatures of the bodies. Collective.
+    /// the present temperatures of the bodies, and friction coefficients. Collective.
+    /// @param internal variables of the contact points at the start of the load step
     void
-    set_time(double t);
+    set_time(double t, const InternalFields &internal);
 
     /// A description of two pairs with active points at the same nodes, which over-constrain them
     /// and may make the system singular; empty if there are none. Collective.
@@ -150,8 +151,9 @@ namespace Signorini
     static constexpr double touching = 1e-6;
 
     /// Set the friction coefficients of all points for a time.
+    /// @param internal variables of the points at the start of the load step
     void
-    set_friction(double t);
+    set_friction(double t, const InternalFields &internal);
 
     /// True if the reference gap of the pair depends on time.
     bool

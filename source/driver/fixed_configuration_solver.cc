@@ -139,7 +139,7 @@ namespace Signorini
         bodies->extrapolate_from(std::exchange(initial_guess, LA::Vector()));
     }
     elasticity.distribute(state.displacement);
-    contact.set_time(t);
+    contact.set_time(t, my_contact.internal);
     my_report = solver->newton.solve(state.displacement, my_contact, watch());
     elasticity.distribute(state.displacement);
     ContactState now        = my_contact;

@@ -179,9 +179,8 @@ namespace Signorini
               {
                 longest = (next - t) / 2;
                 // Smaller steps find the load at which friction is exceeded.
-                if (longest < 0.999 * shortest ||
-                    (problem.report().has_unconstrained_modes &&
-                     !scene.contact.chosen().has_friction))
+                if (longest < 0.999 * shortest || (problem.report().has_unconstrained_modes &&
+                                                   !scene.contact.chosen().has_friction))
                   return false;
                 out << "  no convergence (" << problem.report().reason
                     << (problem.report().tangent_is_indefinite ?

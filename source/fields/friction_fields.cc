@@ -95,14 +95,14 @@ namespace Signorini
   stick_zone(const Snapshot<dim> &s, const unsigned int pair)
   {
     const PointVectors &t      = s.contact_state.traction;
-    LA::Vector          margin = s.contact.coefficients.friction;
-    margin.scale(t[0]);
+    LA::Vector          margin = s.contact.zero();
     for (const auto i : margin.locally_owned_elements())
       {
         double size = 0;
         for (unsigned int a = 1; a < t.size(); ++a)
           size = std::hypot(size, double(t[a](i)));
-        margin(i) = std::max(0., margin(i) - size);
+        const double bound = s.contact.coefficients.friction_bound(i, t[0](i)).value;
+        margin(i)          = std::max(0., bound - size);
       }
     margin.compress(VectorOperation::insert);
     return contact_patch(s,

@@ -77,7 +77,8 @@ namespace Signorini
           sums.total_slip = std::max(sums.total_slip, size_at(slip, i, 0));
           if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
             sums.elastic_slip = std::max(sums.elastic_slip, size_at(gaps, i, 1));
-          sums.excess = std::max(sums.excess, size - s.contact.coefficients.friction(i) * t[0](i));
+          sums.excess =
+            std::max(sums.excess, size - s.contact.coefficients.friction_bound(i, t[0](i)).value);
           sums.gained = std::max(sums.gained, -work);
         }
       sums.reduce_over_ranks(s.elasticity.mesh().communicator());

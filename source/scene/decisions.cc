@@ -266,7 +266,7 @@ namespace Signorini
     for (const ContactPair<dim> &pair : pairs)
       if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
           obstacle && obstacle->shape->depends_on_time() && !pair.friction.is_zero())
-        refuse("Contact pairs/" + pair.name + "/Friction = " + pair.friction.formula(),
+        refuse("Contact pairs/" + pair.name + "/Friction = " + pair.friction.mu.text,
                "the shape of '" + obstacle->name +
                  "' depends on time, so that the motion of its material is not known; move it "
                  "by its Displacement instead");

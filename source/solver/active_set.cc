@@ -100,7 +100,7 @@ namespace Signorini
     const MPI_Comm comm = now.get_mpi_communicator();
     // The trial traction relative to its bound; zero for all points but slipping ones.
     const auto load = [&](const auto i) {
-      const double bound = contact.coefficients.friction(i) * trial[0](i);
+      const double bound = contact.coefficients.friction_bound(i, trial[0](i)).value;
       if (status_of(now(i)) != ContactStatus::slip || bound <= 0)
         return 0.;
       double square = 0;

@@ -91,7 +91,7 @@ namespace
   {
     std::uniform_real_distribution<double> any(-1, 1);
     LawInput                               in;
-    in.internal = {{LawVector(), LawVector()}, {0.}};
+    in.internal = {{LawVector(), LawVector()}, {0., 0.}};
     for (unsigned int a = 0; a < 3; ++a)
       {
         in.gap[a]      = any(numbers) / epsilon;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <signorini/contact/friction_coefficient.h>
 #include <signorini/parameters/expression.h>
 
 #include <deal.II/base/point.h>
@@ -33,10 +34,9 @@ namespace Signorini
     /// negative: none.
     double closes_below = -1;
     /// False: bilateral contact, g = 0 for either sign of the pressure.
-    bool            can_separate = true;
-    Expression<dim> interference{"1"}; ///< share of initial overlaps that counts at time t
-    /// The friction coefficient mu, by place in the reference configuration and time.
-    Expression<dim> friction{"0"};
+    bool                     can_separate = true;
+    Expression<dim>          interference{"1"}; ///< share of initial overlaps that counts at time t
+    FrictionCoefficient<dim> friction;
     /// Search radius [length]; 0: estimated by the program.
     double search_distance = 0;
     /// Directions along which the extents of the contact area are reported.

@@ -9,6 +9,23 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // A bound that is not linear is a formula of the user: its derivative is a central difference.
+  ContactCoefficients::FrictionBound
+  ContactCoefficients::friction_bound(const types::global_dof_index point,
+                                      const double                  pressure) const
+  {
+    if (pressure <= 0)
+      return {0., 0.};
+    if (!bound_of)
+      return {friction(point) * pressure, friction(point)};
+    constexpr double small = 1e-5;
+    const double     step  = small * pressure;
+    return {bound_of(point, pressure),
+            (bound_of(point, pressure + step) - bound_of(point, pressure - step)) / (2 * step)};
+  }
+
+
+
   // g_0 of the rows = beta g_ref + offset (doc/theory, (5.2)); the factor beta of the pair applies
   // to penetrations and to all points of bilateral pairs.
   void

@@ -25,8 +25,21 @@ namespace Signorini
     /// Penalty of the contact law, ContactMethod::penalty() times Decisions::penalty_factor
     /// [force/length^3].
     LA::Vector epsilon;
-    /// The friction coefficient mu at the present time; zero where there is no friction.
+    /// The friction coefficient mu at the present time, where bound_of is null; else any positive
+    /// number where there is friction, and zero where there is none.
     LA::Vector friction;
+    /// The bound of the tangential traction by point and positive pressure, if it is not mu p.
+    std::function<double(dealii::types::global_dof_index, double)> bound_of;
+
+    /// The bound of the tangential traction [force/length^2], and its derivative by the pressure.
+    struct FrictionBound
+    {
+      double value, by_pressure;
+    };
+
+    /// The bound at a point for a pressure; zero in tension.
+    FrictionBound
+    friction_bound(dealii::types::global_dof_index point, double pressure) const;
   };
 
   /// Positions and normals of the contact points, one vector for each space component; for moments

@@ -2,6 +2,7 @@
 #include "contact/laws/coulomb_friction.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -28,11 +29,13 @@ namespace Signorini
     };
 
     /// The projection for a given status: the identity where the point sticks; else r m along the
-    /// unit vector m of the trial traction, whose derivative is r/|t| (I - m m) + mu m by the
-    /// pressure. A trial traction without direction, and a trial pressure that is tensile, give no
-    /// tangential traction.
+    /// unit vector m of the trial traction, whose derivative is r/|t| (I - m m), and by the
+    /// pressure dr/dp m. A trial traction without direction, and a trial pressure that is tensile,
+    /// give no tangential traction.
     DiscProjection
-    project(const LawVector &trial, const double coefficient, const ContactStatus status)
+    project(const LawVector                          &trial,
+            const ContactCoefficients::FrictionBound &radius,
+            const ContactStatus                       status)
     {
       DiscProjection  result;
       const LawVector t    = tangential(trial);
@@ -46,14 +49,13 @@ namespace Signorini
         }
       if (trial[0] <= 0 || size == 0)
         return result;
-      const double    radius = coefficient * trial[0];
-      const LawVector m      = t / size;
-      result.traction        = radius * m;
+      const LawVector m = t / size;
+      result.traction   = radius.value * m;
       for (unsigned int a = 1; a < 3; ++a)
         {
-          result.by_trial[a][0] = coefficient * m[a];
+          result.by_trial[a][0] = radius.by_pressure * m[a];
           for (unsigned int b = 1; b < 3; ++b)
-            result.by_trial[a][b] = radius / size * ((a == b ? 1. : 0.) - m[a] * m[b]);
+            result.by_trial[a][b] = radius.value / size * ((a == b ? 1. : 0.) - m[a] * m[b]);
         }
       return result;
     }
@@ -95,9 +97,9 @@ namespace Signorini
     // At the start of a load step the traction of points that slipped before is on the rim, and
     // there is no slip yet: rounding must not decide, and they stick first.
     constexpr double rounding = 1e-9;
-    const double     friction = contact.coefficients.friction(point),
-                 radius       = friction * std::max(0., trial[0]);
-    return friction > 0 && tangential(trial).norm() <= (1 + rounding) * radius ?
+    const double     radius   = contact.coefficients.friction_bound(point, trial[0]).value;
+    return contact.coefficients.friction(point) > 0 &&
+               tangential(trial).norm() <= (1 + rounding) * radius ?
              ContactStatus::stick :
              ContactStatus::slip;
   }
@@ -122,16 +124,18 @@ namespace Signorini
   LawResponse
   CoulombFriction::response(const Index point, const LawInput &in, const ContactStatus status) const
   {
-    LawResponse result         = normal.response(point, in, status);
-    result.internal            = initial_variables();
-    result.internal.scalars[0] = in.internal.scalars[0];
+    LawResponse result      = normal.response(point, in, status);
+    result.internal         = initial_variables();
+    result.internal.scalars = in.internal.scalars;
     if (status == ContactStatus::open)
       return result;
 
     const unsigned int   n       = n_components();
     const double         epsilon = normal.epsilon(point);
     const LawVector      tried   = trial(point, in);
-    const DiscProjection allowed = project(tried, contact.coefficients.friction(point), status);
+    const DiscProjection allowed =
+      project(tried, contact.coefficients.friction_bound(point, tried[0]), status);
+    double slip = 0;
     for (unsigned int a = 1; a < n; ++a)
       {
         // Without a multiplier the residual is what the next augmentation changes.
@@ -141,6 +145,7 @@ namespace Signorini
         result.internal.vectors[0][a] = result.traction[a];
         result.internal.vectors[1][a] = in.internal.vectors[1][a] + in.gap[a];
         result.internal.scalars[0] -= result.traction[a] * in.gap[a];
+        slip = std::hypot(slip, in.gap[a]);
         for (unsigned int b = 0; b < n; ++b)
           {
             const double by_trial        = allowed.by_trial[a][b];
@@ -160,6 +165,8 @@ namespace Signorini
             result.residual_by_traction[a][a] += compliance / epsilon;
           }
       }
+    if (status == ContactStatus::slip)
+      result.internal.scalars[1] += slip;
     return result;
   }
 } // namespace Signorini

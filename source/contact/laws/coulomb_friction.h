@@ -6,7 +6,7 @@
 namespace Signorini
 {
   /// Coulomb friction upon normal contact, one law for all methods: with the slip s of the load
-  /// step, the bound mu p and the projection Pi onto the disc |t| <= mu p,
+  /// step, the bound r(p), mu p in the simplest case, and the projection Pi onto the disc |t| <= r,
   ///
   ///   t = Pi(t^ - eps s),
   ///
@@ -20,8 +20,8 @@ namespace Signorini
   ///
   /// The internal variables are, at the end of the last load step: the tangential traction (vector
   /// 0); the slip since the point came into contact (vector 1) [length]; and the work per area that
-  /// friction has taken from the bodies (scalar 0) [force/length]. A point that opens keeps the
-  /// last one only.
+  /// friction has taken from the bodies (scalar 0) [force/length]; and the length of the path of
+  /// slip (scalar 1) [length]. A point that opens keeps the scalars only.
   class CoulombFriction : public ContactLaw
   {
   public:
@@ -52,7 +52,7 @@ namespace Signorini
     InternalVariables
     initial_variables() const override
     {
-      return {{LawVector(), LawVector()}, {0.}};
+      return {{LawVector(), LawVector()}, {0., 0.}};
     }
 
     bool
