@@ -67,10 +67,9 @@ namespace Signorini
     for (unsigned int a = 0; a < result.size(); ++a)
       {
         for (const auto i : result[a].locally_owned_elements())
-          if (!is_closed(s.contact_state.status(i)))
-            result[a](i) = 0;
-          else if (before.size() > 1)
-            result[a](i) += before[1][a](i);
+          result[a](i) = !is_closed(s.contact_state.status(i)) ? 0. :
+                         before.size() > 1                     ? gaps[a + 1](i) + before[1][a](i) :
+                                                                 gaps[a + 1](i);
         result[a].compress(VectorOperation::insert);
       }
     return result;

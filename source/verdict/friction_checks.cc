@@ -25,18 +25,21 @@ namespace Signorini
     }
 
     /// Check that friction takes work from the bodies, apart from rounding.
+    /// @param face_size mean size of the faces of the slave [length]
     CheckResult
     check_dissipation(const std::string            &name,
                       const nlohmann::ordered_json &results,
-                      const double                  area)
+                      const double                  area,
+                      const double                  face_size)
     {
       const double work  = results["total_friction_work"],
                    scale = results["max_tangential_traction"].get<double>() *
-                           results["max_slip_since_contact"].get<double>() * area;
+                           results["max_slip_since_contact"].get<double>() * area,
+                   rounding    = 1e-10 * results["normal_force"].get<double>() * face_size;
       CheckResult check_result = make_check_result(
         "work of friction",
         name,
-        scale > 0 ? std::max(0., -work) / scale : 0.,
+        -work > rounding ? -work / scale : 0.,
         1e-6,
         "friction gives work to the bodies, which it cannot",
         "set a smaller Newton/Tolerance, and report this as an error of the program");
@@ -79,10 +82,11 @@ namespace Signorini
   check_friction(const std::string            &name,
                  const nlohmann::ordered_json &results,
                  const ContactExtent          &extent,
+                 const double                  face_size,
                  const unsigned int            step)
   {
     return {check_cone(name, results),
-            check_dissipation(name, results, extent.active),
+            check_dissipation(name, results, extent.active, face_size),
             check_path(name, results, extent, step)};
   }
 } // namespace Signorini

@@ -56,11 +56,13 @@ namespace Signorini
   /// @param name of the pair
   /// @param results its entry of results.json
   /// @param extent of the pair
+  /// @param face_size mean size of the faces of the slave [length]
   /// @param step number of the load step
   std::vector<CheckResult>
   check_friction(const std::string            &name,
                  const nlohmann::ordered_json &results,
                  const ContactExtent          &extent,
+                 double                        face_size,
                  unsigned int                  step);
 
   /// @return the result of a check of a pair: passed up to the limit, otherwise a warning.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/deck_reader.h"
+#include "mesh_import/decks/scene_text.h"
 #include <signorini/parameters/raw.h>
+
+#include <algorithm>
 
 // The part of the reader for contact pairs.
 
@@ -61,6 +64,59 @@ namespace Signorini
         one.kind = Kind::tied;
         skip_item("NO SEPARATION; the surfaces stay together from the beginning");
       }
+  }
+
+
+
+  // Data lines: coefficient, then in CalculiX the stick slope, in Abaqus slip rate, pressure and
+  // temperature. Sticking is exact here: slopes and tolerances of it have no counterpart.
+  void
+  DeckReader::read_friction()
+  {
+    if (in_step)
+      {
+        skip_item("its change in a step");
+        model.lacks_supports = true;
+        return;
+      }
+    for (const char *option : {"ROUGH", "USER", "ANISOTROPIC", "EXPONENTIAL DECAY", "DEPENDENCIES"})
+      if (in.has(option))
+        {
+          skip_item(std::string(option) + "; contact is without friction");
+          model.lacks_supports = true;
+          return;
+        }
+    DeckModel::Interaction &one = model.interactions[interaction];
+    if (in.has("TAUMAX"))
+      one.shear_limit = number({in.value("TAUMAX")}, 0);
+    std::vector<Words> lines;
+    for (Words words; in.next_line(words);)
+      lines.push_back(words);
+    if (lines.empty())
+      in.fail("*FRICTION needs a coefficient");
+    if (number(lines[0], 0) < 0)
+      in.fail("*FRICTION has a negative coefficient");
+    const auto has_word = [](const Words &words, const unsigned int i) {
+      return words.size() > i && !words[i].empty();
+    };
+    one.friction        = long_text(number(lines[0], 0));
+    bool        by_rate = false, by_pressure = lines.size() > 1, by_temperature = false;
+    std::string points = "table(pressure";
+    for (const Words &words : lines)
+      {
+        by_rate |= has_word(words, 1);
+        by_temperature |= has_word(words, 3);
+        by_pressure &= has_word(words, 2);
+        if (by_pressure)
+          points +=
+            ", " + long_text(number(words, 2)) + ", " + long_text(std::max(0., number(words, 0)));
+      }
+    if (lines.size() == 1 && by_rate)
+      skip_item("the stick slope, or slip rate; sticking is exact");
+    else if (by_rate || by_temperature || (lines.size() > 1 && !by_pressure))
+      skip_item("its dependence on slip rate or temperature; the first coefficient counts");
+    else if (by_pressure)
+      one.friction = points + ")";
   }
 
 

@@ -157,6 +157,10 @@ namespace Signorini
       Kind kind = Kind::hard;
       /// Pressure per overlap of a linear law.
       double stiffness = 0;
+      /// Coefficient of friction, a number or a formula in the pressure; empty: none.
+      std::string friction;
+      /// Largest shear stress of friction; 0: none given.
+      double shear_limit = 0;
     };
 
     /// A contact pair, by the names of its surfaces and of its interaction.

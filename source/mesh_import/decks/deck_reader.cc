@@ -41,6 +41,7 @@ namespace Signorini
     {"TRANSFORM", &DeckReader::read_transform},
     {"SURFACE INTERACTION", &DeckReader::begin_interaction},
     {"SURFACE BEHAVIOR", &DeckReader::read_behaviour},
+    {"FRICTION", &DeckReader::read_friction},
     {"CONTACT PAIR", &DeckReader::read_pairs},
     {"CLEARANCE", &DeckReader::read_clearance},
     {"HEADING", &DeckReader::ignore},
@@ -86,8 +87,7 @@ namespace Signorini
   /// Reasons, for the report, why some keywords are skipped. All others that are not in the
   /// registry are skipped too.
   const std::map<std::string, std::string, IgnoringBlanks> DeckReader::not_modelled = {
-    {"FRICTION", "contact is without friction"},
-    {"CHANGE FRICTION", "contact is without friction"},
+    {"CHANGE FRICTION", "friction does not change in a step"},
     {"PLASTIC", "materials are linear elastic"},
     {"CREEP", "materials are linear elastic"},
     {"EQUATION", "nodes are not tied to each other by equations"},
@@ -112,8 +112,7 @@ namespace Signorini
     "CLEARANCE", "END PART", "END STEP", "MATERIAL", "PART", "SOLID SECTION"};
 
   /// Keywords that may have constrained bodies that nothing else constrains.
-  const std::set<std::string, IgnoringBlanks> DeckReader::restraints = {"FRICTION",
-                                                                        "CHANGE FRICTION",
+  const std::set<std::string, IgnoringBlanks> DeckReader::restraints = {"CHANGE FRICTION",
                                                                         "EQUATION",
                                                                         "MPC",
                                                                         "COUPLING",

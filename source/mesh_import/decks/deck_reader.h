@@ -103,6 +103,8 @@ namespace Signorini
     void
     read_behaviour();
     void
+    read_friction();
+    void
     read_pairs();
     void
     read_clearance();

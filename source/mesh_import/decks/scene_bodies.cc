@@ -120,6 +120,14 @@ namespace Signorini
                  {{"Slave", slave}, {"Master", master}}});
               if (stays)
                 items.back().keys.emplace_back("Separation", "none");
+              if (found != model.interactions.end() && !found->second.friction.empty() &&
+                  found->second.friction != "0")
+                {
+                  items.back().keys.emplace_back("Friction", found->second.friction);
+                  if (found->second.shear_limit > 0)
+                    items.back().keys.emplace_back("Friction limit",
+                                                   long_text(found->second.shear_limit));
+                }
               // A clearance of the deck replaces the gap that follows from the coordinates.
               const auto clearance =
                 std::find_if(model.clearances.begin(),
