@@ -8,6 +8,8 @@
 #include "solid/resultant.h"
 #include <signorini/scene/scene.h>
 
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <tuple>
 
@@ -384,8 +386,48 @@ TEST_CASE("import: pieces, forces on nodes, linear contact; what is left out is 
   CHECK(scene.loads[0].force.text() == "0; -1.66666666667*t/2");
   CHECK(scene.loads[2].nodes.sets.size() == 1);
   CHECK(scene.load_steps.ends() == std::vector<double>{2});
-  says(scene.skipped_items, "model: *FRICTION (contact is without friction): ");
+  REQUIRE(scene.pairs.size() == 1);
+  CHECK(scene.pairs[0].friction.mu.text == "0.2");
+  says(scene.skipped_items,
+       "model: *FRICTION (the stick slope, or slip rate; sticking is exact): ");
   says(messages, "not imported: model: *FRICTION");
+}
+
+
+
+// Coefficients by pressure, and what has no counterpart.
+TEST_CASE("import: kinds of friction")
+{
+  const auto with = [](const std::string &friction) {
+    std::ifstream in(test_mesh("pieces.inp"));
+    std::string   deck((std::istreambuf_iterator<char>(in)), {});
+    const auto    at = deck.find("*FRICTION");
+    deck.replace(at, deck.find("*CONTACT PAIR") - at, friction);
+    const TemporaryFile file(deck, ".inp");
+    return imported(file.path);
+  };
+  {
+    const auto [text, messages] = with("*FRICTION\n0.25\n");
+    CHECK(checked<2>(text).pairs[0].friction.mu.text == "0.25");
+    CHECK(messages.find("FRICTION") == std::string::npos);
+  }
+  {
+    const auto [text, messages] = with("*FRICTION, TAUMAX=30.\n0.3, , 0.\n0.1, , 100.\n");
+    const auto mu               = checked<2>(text).pairs[0].friction;
+    CHECK(mu.value({}, 0, 50, 0) == doctest::Approx(0.2));
+    CHECK(mu.bound({}, 0, 50, 0) == doctest::Approx(10));
+    CHECK(mu.bound({}, 0, 1000, 0) == doctest::Approx(30));
+    CHECK(messages.find("FRICTION") == std::string::npos);
+  }
+  for (const std::string kind :
+       {"*FRICTION, ROUGH\n", "*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 2.\n"})
+    {
+      CAPTURE(kind);
+      const auto [text, messages] = with(kind);
+      CHECK(checked<2>(text).pairs[0].friction.is_zero());
+      says(messages, "contact is without friction");
+    }
+  CHECK_THROWS_AS(with("*FRICTION\n-0.1\n"), SceneError);
 }
 
 
@@ -617,8 +659,6 @@ TEST_CASE("import: temperatures of a body; what may have held bodies")
       }
     CHECK(messages.find("TEMPERATURE") == std::string::npos);
     CHECK(messages.find("EXPANSION") == std::string::npos);
-    // Friction is left out, and may have held the upper piece.
-    CHECK(scene.newton.undetermined_modes == UnconstrainedModeTreatment::hold);
   }
   {
     const TemporaryFile file(deck("*STEP\n*STATIC\n*TEMPERATURE\nNends, 120.\n*END STEP\n"),
