@@ -130,7 +130,7 @@ namespace Signorini
     /// the present temperatures of the bodies, and friction coefficients. Collective.
     /// @param internal variables of the contact points at the start of the load step
     void
-    set_time(double t, const InternalFields &internal);
+    set_time(double t, const InternalFields &internal = InternalFields());
 
     /// A description of two pairs with active points at the same nodes, which over-constrain them
     /// and may make the system singular; empty if there are none. Collective.

@@ -389,7 +389,7 @@ TEST_CASE("import: pieces, forces on nodes, linear contact; what is left out is 
   REQUIRE(scene.pairs.size() == 1);
   CHECK(scene.pairs[0].friction.mu.text == "0.2");
   says(scene.skipped_items,
-       "model: *FRICTION (the stick slope, or slip rate; sticking is exact): ");
+       "model: *FRICTION (the stick slope or slip rate, since sticking is exact): ");
   says(messages, "not imported: model: *FRICTION");
 }
 
@@ -403,16 +403,17 @@ TEST_CASE("import: kinds of friction")
     std::string   deck((std::istreambuf_iterator<char>(in)), {});
     const auto    at = deck.find("*FRICTION");
     deck.replace(at, deck.find("*CONTACT PAIR") - at, friction);
-    const TemporaryFile file(deck, ".inp");
-    return imported(file.path);
+    return deck;
   };
   {
-    const auto [text, messages] = with("*FRICTION\n0.25\n");
+    const TemporaryFile file(with("*FRICTION\n0.25\n"), ".inp");
+    const auto [text, messages] = imported(file.path);
     CHECK(checked<2>(text).pairs[0].friction.mu.text == "0.25");
     CHECK(messages.find("FRICTION") == std::string::npos);
   }
   {
-    const auto [text, messages] = with("*FRICTION, TAUMAX=30.\n0.3, , 0.\n0.1, , 100.\n");
+    const TemporaryFile file(with("*FRICTION, TAUMAX=30.\n0.3, , 0.\n0.1, , 100.\n"), ".inp");
+    const auto [text, messages] = imported(file.path);
     const auto mu               = checked<2>(text).pairs[0].friction;
     CHECK(mu.value({}, 0, 50, 0) == doctest::Approx(0.2));
     CHECK(mu.bound({}, 0, 50, 0) == doctest::Approx(10));
@@ -423,11 +424,13 @@ TEST_CASE("import: kinds of friction")
        {"*FRICTION, ROUGH\n", "*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 2.\n"})
     {
       CAPTURE(kind);
-      const auto [text, messages] = with(kind);
+      const TemporaryFile file(with(kind), ".inp");
+      const auto [text, messages] = imported(file.path);
       CHECK(checked<2>(text).pairs[0].friction.is_zero());
       says(messages, "contact is without friction");
     }
-  CHECK_THROWS_AS(with("*FRICTION\n-0.1\n"), SceneError);
+  const TemporaryFile file(with("*FRICTION\n-0.1\n"), ".inp");
+  CHECK_THROWS_AS(imported(file.path), SceneError);
 }
 
 

@@ -112,9 +112,9 @@ namespace Signorini
             ", " + long_text(number(words, 2)) + ", " + long_text(std::max(0., number(words, 0)));
       }
     if (lines.size() == 1 && by_rate)
-      skip_item("the stick slope, or slip rate; sticking is exact");
+      skip_item("the stick slope or slip rate, since sticking is exact");
     else if (by_rate || by_temperature || (lines.size() > 1 && !by_pressure))
-      skip_item("its dependence on slip rate or temperature; the first coefficient counts");
+      skip_item("its dependence on slip rate or temperature, the first coefficient counts");
     else if (by_pressure)
       one.friction = points + ")";
   }
