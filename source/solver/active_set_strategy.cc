@@ -164,7 +164,7 @@ namespace Signorini
   {
     if (system.unconstrained_modes().empty() || n_holds >= patience)
       return;
-    system.find_unconstrained_modes(active_set.values());
+    system.find_unconstrained_modes(active_set.values(), trial);
     const UnconstrainedModes &modes = system.unconstrained_modes();
     if (modes.unconstrained().size() > modes.unconstrainable().size() &&
         active_set.stick_least_loaded(trial) > 0)

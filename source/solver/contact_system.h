@@ -116,9 +116,9 @@ namespace Signorini
 
     /// Determine the unconstrained modes for these statuses, without linearising.
     void
-    find_unconstrained_modes(const LA::Vector &status)
+    find_unconstrained_modes(const LA::Vector &status, const PointVectors &traction = {})
     {
-      motions.set_status(status);
+      motions.set_status(status, traction);
     }
 
     /// vmult() of the contact terms alone; the results of K and of the volumetric stress are zero.

@@ -118,8 +118,9 @@ namespace Signorini
         gap_residual = law.residual(in, state.status);
         convergence.set_gap_forces(norm(gap_residual));
       }
-    if (!is_same)
-      system.find_unconstrained_modes(state.status);
+    // With friction in space they also depend on directions of tractions.
+    if (!is_same || law.n_components() == 3)
+      system.find_unconstrained_modes(state.status, state.traction);
     if (settings.undetermined_modes == UnconstrainedModeTreatment::hold)
       report.stabilisation_force =
         system.unconstrained_modes().project_out(r, state.traction, stage.stress[0]);

@@ -104,11 +104,30 @@ namespace Signorini
 
 
 
+  std::vector<LA::Vector>
+  UnconstrainedModes::rates_across(const PointVectors &traction) const
+  {
+    std::vector<LA::Vector> result(motions.size(), contact->zero());
+    for (const auto i : result[0].locally_owned_elements())
+      {
+        const double t1 = traction[1](i), t2 = traction[2](i), size = std::hypot(t1, t2);
+        for (unsigned int k = 0; k < result.size(); ++k)
+          result[k](i) = size > 0 && contact->coefficients.friction(i) > 0 ?
+                           (t1 * gap_rates[2][k](i) - t2 * gap_rates[1][k](i)) / size :
+                           0.;
+      }
+    for (LA::Vector &rates : result)
+      rates.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
   // Solve the eigenvalue problem of the modes for these statuses (doc/theory, 4.10), of the size of
   // the number of modes. Eigenvectors with negligible eigenvalues are the unconstrained modes; they
   // are named by the motions that contribute most.
   void
-  UnconstrainedModes::set_status(const LA::Vector &status)
+  UnconstrainedModes::set_status(const LA::Vector &status, const PointVectors &traction)
   {
     // A combination of modes is unconstrained if its eigenvalue vanishes, that is, if it moves
     // along the surface at all closed points. Rotations of round bodies with faceted surfaces have
@@ -123,6 +142,9 @@ namespace Signorini
       stiffness_against(gap_rates[0], shares_of_pairs(status, ContactStatus::slip));
     for (unsigned int a = 1; a < gap_rates.size(); ++a)
       stiffness += stiffness_against(gap_rates[a], shares_of_pairs(status, ContactStatus::stick));
+    if (gap_rates.size() == 3 && traction.size() == 3)
+      stiffness +=
+        stiffness_against(rates_across(traction), shares_of_pairs(status, ContactStatus::slip));
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = 0; b < n; ++b)
         stiffness(a, b) /= amplitude[a] * amplitude[b];

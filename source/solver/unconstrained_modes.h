@@ -38,9 +38,11 @@ namespace Signorini
     }
 
     /// Determine which modes contact leaves unconstrained: closed points constrain the normal gap,
-    /// sticking ones also the slip. Collective.
+    /// sticking ones also the slip, and in space slipping ones with friction the slip across their
+    /// traction, which a change of direction opposes. Collective.
+    /// @param traction whose tangential part has that direction; empty: unknown
     void
-    set_status(const LA::Vector &status);
+    set_status(const LA::Vector &status, const PointVectors &traction = {});
 
     /// dst -= S src
     void
@@ -96,6 +98,10 @@ namespace Signorini
     /// status, so that stiff pairs do not outweigh soft ones.
     LA::Vector
     shares_of_pairs(const LA::Vector &status, ContactStatus least) const;
+    /// The rates of the slip across the tangential traction, one vector for each motion; zero where
+    /// there is no friction.
+    std::vector<LA::Vector>
+    rates_across(const PointVectors &traction) const;
 
     std::vector<UnconstrainedMode> motions; ///< orthonormal with respect to S
     LA::Vector                     stabilisation;
