@@ -257,10 +257,19 @@ namespace Signorini
     if (my_report.tangent_is_indefinite)
       configuration_solver.release();
     store_failure(t);
+    return_to(before);
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::return_to(const State &before)
+  {
     state = before;
     configuration_solver.restore_active_set();
     restore_volumetric_stress();
-    return false;
   }
 
 

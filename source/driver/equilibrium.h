@@ -84,6 +84,10 @@ namespace Signorini
       return my_uses_current_geometry;
     }
 
+    /// Return to a state of this mesh, to solve the load steps after it again. Collective.
+    void
+    return_to(const State &before);
+
     /// True if the solution depends on earlier load steps, by contact or by the materials.
     bool
     is_path_dependent() const;

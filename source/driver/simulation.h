@@ -67,6 +67,11 @@ namespace Signorini
     apply_load_history(double                                        tolerance,
                        Position                                     &from,
                        const std::function<bool(unsigned int step)> &visit);
+    /// Solve a load step; with friction and automatic steps so short that the path is accurate.
+    /// Returns false if it is to be halved.
+    /// @param may_be_halved whether it is longer than the shortest one
+    bool
+    solve_step(double t, double tolerance, bool may_be_halved);
     /// Write the results of a load step.
     void
     record_step(unsigned int step);
@@ -115,6 +120,7 @@ namespace Signorini
     Position                             position;
     std::unique_ptr<RunCheckpoints<dim>> checkpoints; ///< null if nothing is written
     std::unique_ptr<Interruption>        interruption;
-    double shortest_tried = 0; ///< load step since the last solved one
+    double                shortest_tried = 0; ///< load step since the last solved one
+    std::optional<double> my_path_error;      ///< of the last load step, if it was estimated
   };
 } // namespace Signorini

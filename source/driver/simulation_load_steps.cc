@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The load history of a run: estimates on coarse meshes, and load steps on the last one.
+#include "driver/load_path.h"
 #include "driver/simulation.h"
 #include "output/accuracy_results.h"
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Signorini
@@ -143,6 +146,52 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// @return whether load steps are chosen for the accuracy of the path.
+    template <int dim>
+    bool
+    controls_path(const Scene<dim> &scene)
+    {
+      return scene.load_steps.is_automatic && scene.contact.chosen().has_friction;
+    }
+  } // namespace
+
+
+
+  // The tractions after one load step are compared with those after two of half the length, which
+  // are kept. Without tangential tractions there is no path.
+  template <int dim>
+  bool
+  Simulation<dim>::solve_step(const double t, const double tolerance, const bool may_be_halved)
+  {
+    my_path_error.reset();
+    if (!controls_path(scene))
+      return problem.solve(t, tolerance);
+    const State before = problem.state;
+    if (!problem.solve(t, tolerance))
+      return false;
+    const auto tractions = [this] {
+      return all_tangential_tractions(problem.equilibrium->snapshot(0));
+    };
+    const std::vector<LA::Vector> coarse = tractions();
+    if (are_negligible(coarse, problem.equilibrium->snapshot(0)))
+      return true;
+    problem.equilibrium->return_to(before);
+    if (problem.solve((before.time + t) / 2, tolerance) && problem.solve(t, tolerance))
+      {
+        my_path_error = path_error(coarse, tractions());
+        if (*my_path_error <= scene.load_steps.path_error || !may_be_halved)
+          return true;
+        out << "  halving the load step changes tangential tractions by "
+            << short_text(100 * *my_path_error, 2) << " %" << std::endl;
+      }
+    problem.equilibrium->return_to(before);
+    return false;
+  }
+
+
+
   // Adaptive load steps: between prescribed times (`ends`) a step that does not converge is halved,
   // down to the shortest admissible one, and steps grow again by the number of Newton steps. Ends
   // since each step advances the time by at least the shortest length, or the loop is left. Returns
@@ -159,14 +208,18 @@ namespace Signorini
     for (const double end : ends)
       {
         const double shortest = scene.load_steps.shortest(end - start);
-        start                 = end;
+        // A cycle of the load within a step would not be seen.
+        const double longest_with_friction =
+          controls_path(scene) ? (end - start) / 8 : std::numeric_limits<double>::max();
+        start = end;
         while (t < end)
           {
             // A remainder that is longer than a step by rounding is taken at once.
-            const double next = end - t <= 1.001 * longest ? end : t + longest;
+            const double limit = std::min(longest, longest_with_friction);
+            const double next  = end - t <= 1.001 * limit ? end : t + limit;
             if (ends.size() > 1 || next < end)
               out << "  load step " << number + 1 << ", t = " << next << std::endl;
-            if (problem.solve(next, tolerance))
+            if (solve_step(next, tolerance, next - t > 1.999 * shortest))
               {
                 longest =
                   scene.load_steps.next_length(next - t, problem.report().steps.size(), longest);
@@ -182,11 +235,12 @@ namespace Signorini
                 if (longest < 0.999 * shortest || (problem.report().has_unconstrained_modes &&
                                                    !scene.contact.chosen().has_friction))
                   return false;
-                out << "  no convergence (" << problem.report().reason
-                    << (problem.report().tangent_is_indefinite ?
-                          "; the tangent was not positive definite" :
-                          "")
-                    << "): halving the load step" << std::endl;
+                if (!my_path_error)
+                  out << "  no convergence (" << problem.report().reason
+                      << (problem.report().tangent_is_indefinite ?
+                            "; the tangent was not positive definite" :
+                            "")
+                      << "): halving the load step" << std::endl;
                 shortest_tried = longest;
               }
           }
@@ -205,6 +259,7 @@ namespace Signorini
     recorder->add_contact_geometry(problem.equilibrium->neglected(),
                                    problem.equilibrium->uses_current_geometry());
     recorder->add_deformation(problem.neglected_work, problem.elasticity->is_finite_strain());
+    recorder->add_path_error(my_path_error, problem.state.time);
     const Snapshot<dim> now = problem.equilibrium->snapshot(step);
     if (after_step)
       after_step(now);

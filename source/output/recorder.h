@@ -97,6 +97,11 @@ namespace Signorini
     /// @param finite whether strain is finite from now on
     void
     add_deformation(std::optional<double> neglected, bool finite);
+    /// Record by how much halving the load step has changed tangential tractions, if that was
+    /// done. The largest of all load steps is reported.
+    /// @param time of the load step
+    void
+    add_path_error(std::optional<double> change, double time);
     /// Record the solution on a mesh that will be refined.
     /// @param newton_iterations of this solution
     /// @param multigrid_cycles of this solution

@@ -45,6 +45,18 @@ namespace Signorini
 
   template <int dim>
   void
+  Recorder<dim>::add_path_error(const std::optional<double> change, const double time)
+  {
+    if (!change)
+      return;
+    results["path_error"] = std::max(results.value("path_error", 0.), *change);
+    verdict.add(check_path_error(*change, scene.load_steps.path_error), time);
+  }
+
+
+
+  template <int dim>
+  void
   Recorder<dim>::add_cycle(const unsigned int newton_iterations,
                            const unsigned int multigrid_cycles,
                            const Json        &accuracy)
@@ -143,6 +155,15 @@ namespace Signorini
     one.update(newton_results(report));
     one["multigrid_cycles"] = multigrid_cycles;
     one.update(results_at(scene, now, scene.output.probes));
+    // An automatic load step with friction was solved as two: its work is the difference to the
+    // last one.
+    for (auto &[name, pair] : one["pairs"].items())
+      if (pair.contains("total_friction_work") && !results["load_steps"].empty())
+        pair["friction_work"] =
+          pair["total_friction_work"].get<double>() -
+          results["load_steps"].back()["pairs"][name]["total_friction_work"].get<double>();
+      else if (pair.contains("total_friction_work"))
+        pair["friction_work"] = pair["total_friction_work"];
     largest_force = std::max(largest_force, one["largest_force"].get<double>());
     // The checks see the results of this step and the largest force so far.
     verdict.add(check_solution(decisions, now, one, largest_force), now.time);
@@ -247,6 +268,7 @@ namespace Signorini
   template void Recorder<dim>::add_preflight(const Json &);                                        \
   template void Recorder<dim>::add_contact_geometry(std::optional<double>, bool);                  \
   template void Recorder<dim>::add_deformation(std::optional<double>, bool);                       \
+  template void Recorder<dim>::add_path_error(std::optional<double>, double);                      \
   template void Recorder<dim>::add_cycle(unsigned int, unsigned int, const Json &);                \
   template void Recorder<dim>::add_accuracy(const Json &,                                          \
                                             const ErrorControl &,                                  \

@@ -259,10 +259,6 @@ namespace Signorini
       refuse("Accuracy/Quantity = " + scene.goals.quantities.front(),
              "error estimates are not available with friction; remove Quantity, and compare "
              "meshes and numbers of load steps");
-    if (scene.load_steps.is_automatic)
-      refuse("Load steps/Number = automatic",
-             "is not available with friction, whose solution depends on the load steps; set a "
-             "Number, and compare with twice as many");
     for (const ContactPair<dim> &pair : pairs)
       if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
           obstacle && obstacle->shape->depends_on_time() && !pair.friction.is_zero())

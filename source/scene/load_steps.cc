@@ -54,7 +54,8 @@ namespace Signorini
       "Number",
       steps,
       "number of equal load steps, [1, 1000000]; automatic: one step, and if it does not converge, "
-      "steps whose size is controlled by the number of iterations");
+      "steps whose size is controlled by the number of iterations; with friction at least eight "
+      "steps, and as many as the Path error asks for");
     if (section.reading())
       read_number(section, steps);
     section.add("Times",
@@ -66,6 +67,13 @@ namespace Signorini
       "number of times that a load step may be halved if it does not converge; later steps grow "
       "again; at least 10 for Number = automatic",
       Range{0, 20});
+    section.add(
+      "Path error",
+      path_error,
+      "with friction and Number = automatic: a load step is repeated as two of half the "
+      "length, and halved again until that changes tangential tractions by less than this "
+      "fraction",
+      positive);
     for (unsigned int i = 0; i < times.size(); ++i)
       if (times[i] <= (i > 0 ? times[i - 1] : 0))
         section.fail("Times", "must be positive and increasing");

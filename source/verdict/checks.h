@@ -21,6 +21,12 @@ namespace Signorini
                  const nlohmann::ordered_json &results,
                  double                        largest_force);
 
+  /// @return the check of the accuracy of the load path.
+  /// @param change of tangential tractions when the load step was halved, relative
+  /// @param limit `Load steps/Path error`
+  std::vector<CheckResult>
+  check_path_error(double change, double limit);
+
   /// Extreme values of one body.
   struct Extremes
   {

@@ -89,4 +89,20 @@ namespace Signorini
             check_dissipation(name, results, extent.active, face_size),
             check_path(name, results, extent, step)};
   }
+
+
+
+  std::vector<CheckResult>
+  check_path_error(const double change, const double limit)
+  {
+    CheckResult result;
+    result.check   = "path error";
+    result.value   = change;
+    result.limit   = limit;
+    result.outcome = change <= limit ? Outcome::passed : Outcome::warned;
+    result.message =
+      "halving the shortest load step still changes tangential tractions by that fraction";
+    result.advice = "set a larger Load steps/Path error, or more Cut-backs";
+    return {result};
+  }
 } // namespace Signorini

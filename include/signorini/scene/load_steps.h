@@ -21,6 +21,9 @@ namespace Signorini
     /// Times at which supports change, where steps end as well.
     std::vector<double> changes;
     unsigned int        cut_backs = 4;
+    /// With friction, automatic steps are halved until that changes tangential tractions by less
+    /// than this fraction.
+    double path_error = 1e-2;
 
     /// @return the ends of all prescribed steps, increasing; for automatic ones the last end, and
     /// the changes.
