@@ -157,13 +157,14 @@ namespace Signorini
     one.update(results_at(scene, now, scene.output.probes));
     // An automatic load step with friction was solved as two: its work is the difference to the
     // last one.
+    const auto work_of = [](const Json &of_step, const std::string &name) -> double {
+      return of_step.at("pairs").at(name).at("total_friction_work");
+    };
     for (auto &[name, pair] : one["pairs"].items())
-      if (pair.contains("total_friction_work") && !results["load_steps"].empty())
+      if (pair.contains("total_friction_work"))
         pair["friction_work"] =
-          pair["total_friction_work"].get<double>() -
-          results["load_steps"].back()["pairs"][name]["total_friction_work"].get<double>();
-      else if (pair.contains("total_friction_work"))
-        pair["friction_work"] = pair["total_friction_work"];
+          work_of(one, name) -
+          (results["load_steps"].empty() ? 0. : work_of(results["load_steps"].back(), name));
     largest_force = std::max(largest_force, one["largest_force"].get<double>());
     // The checks see the results of this step and the largest force so far.
     verdict.add(check_solution(decisions, now, one, largest_force), now.time);
