@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parameters/compiled_formula.h"
 #include <signorini/base/text.h>
-#include <signorini/contact/friction_coefficient.h>
+#include <signorini/contact/pair.h>
 #include <signorini/parameters/section.h>
 
 #include <algorithm>

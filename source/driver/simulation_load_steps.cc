@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The load history of a run: estimates on coarse meshes, and load steps on the last one.
-#include "driver/load_path.h"
 #include "driver/simulation.h"
+#include "fields/friction_fields.h"
 #include "output/accuracy_results.h"
 #include <signorini/base/text.h>
 

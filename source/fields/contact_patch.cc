@@ -406,15 +406,6 @@ namespace Signorini
 
 
   template <int dim>
-  ContactPatch
-  contact_patch(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
-  {
-    return contact_patch(s, pair, pressure, s.active);
-  }
-
-
-
-  template <int dim>
   double
   largest_pressure(const Snapshot<dim> &s,
                    const unsigned int   pair,
@@ -437,7 +428,6 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template ContactPatch contact_patch(const Snapshot<dim> &, unsigned int, const LA::Vector &);    \
   template ContactPatch contact_patch(const Snapshot<dim> &,                                       \
                                       unsigned int,                                                \
                                       const LA::Vector &,                                          \

@@ -25,6 +25,20 @@ namespace Signorini
     std::vector<double> semi_axes;
   };
 
+  /// Determine a zone as the contact zone below: the part of the slave surface where points are
+  /// marked, at whose edge the square of a density decreases to zero linearly. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  /// @param density at the nodes, see recovered_density()
+  /// @param marks 1 at the rows of the gap operator inside of the zone, else 0
+  /// @return the zone
+  template <int dim>
+  ContactPatch
+  contact_patch(const Snapshot<dim> &snapshot,
+                unsigned int         pair,
+                const LA::Vector    &density,
+                const LA::Vector    &marks);
+
   /// Determine the contact zone from nodal pressures. The edge of contact is between nodes with and
   /// without pressure. There the square of the pressure decreases to zero linearly, as it does
   /// where smooth surfaces lose contact (Hertz), so that its linear extrapolation from the active
@@ -37,21 +51,10 @@ namespace Signorini
   /// @return the zone
   template <int dim>
   ContactPatch
-  contact_patch(const Snapshot<dim> &snapshot, unsigned int pair, const LA::Vector &pressure);
-
-  /// Determine a zone of another kind in the same way: the part of the slave surface where points
-  /// are marked, at whose edge the square of a density decreases to zero linearly. Collective.
-  /// @param snapshot the solution
-  /// @param pair its index
-  /// @param density at the nodes, see recovered_density()
-  /// @param marks 1 at the rows of the gap operator inside of the zone, else 0
-  /// @return the zone
-  template <int dim>
-  ContactPatch
-  contact_patch(const Snapshot<dim> &snapshot,
-                unsigned int         pair,
-                const LA::Vector    &density,
-                const LA::Vector    &marks);
+  contact_patch(const Snapshot<dim> &snapshot, const unsigned int pair, const LA::Vector &pressure)
+  {
+    return contact_patch(snapshot, pair, pressure, snapshot.active);
+  }
 
   /// @return the largest nodal pressure of one pair, over all ranks; at least the mean pressure,
   /// which is the normal force over the contact area, since a contact area within a face may have

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/friction_results.h"
-
 #include "fields/friction_fields.h"
 #include "output/json.h"
+#include "output/results.h"
 
 #include <algorithm>
 #include <cmath>

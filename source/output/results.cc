@@ -7,7 +7,6 @@
 #include "fields/peak.h"
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
-#include "output/friction_results.h"
 #include "output/json.h"
 #include "solid/reactions.h"
 

@@ -271,6 +271,17 @@ namespace
     return text.replace(at, old.size(), by);
   }
 
+  /// The blocks with friction, and automatic load steps.
+  std::string
+  with_friction()
+  {
+    return replaced(replaced(blocks,
+                             "subsection joint\n",
+                             "subsection joint\nset Friction = 0.1\n"),
+                    "set Number = 2",
+                    "set Number = automatic\nset Path error = 0.1");
+  }
+
   /// A block on rollers that a plane presses by 1 %: all its stress is sigma_yy = -1 in plane
   /// stress, in space sigma_zz. The plane is z = 0 (y = 0) and the block lies on it.
   template <int dim>
@@ -325,6 +336,8 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
   REQUIRE(open.code == solved);
   REQUIRE(accurate.code == solved);
   REQUIRE(accurate.results["accuracy"]["met"] == true);
+  const Solved rough(Two(), with_friction());
+  REQUIRE(rough.code == solved);
   const Solved one(Two(), warm), two(Two(), pressed_block<2>()), three(Three(), pressed_block<3>()),
     failed(Two(), hopeless, true);
   REQUIRE(one.code == solved);
@@ -333,7 +346,7 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
   REQUIRE(failed.code == not_converged);
 
   std::set<std::string> paths;
-  for (const Solved *run : {&one, &two, &three, &failed, &accurate, &open})
+  for (const Solved *run : {&one, &two, &three, &failed, &accurate, &open, &rough})
     collect_paths(without_former_names(run->results), "", paths);
   const std::set<std::string> page = documented("results.json");
   CHECK_MESSAGE(without(paths, page).empty(),
@@ -351,7 +364,9 @@ TEST_CASE("doc/guide/results.md describes the fields of VTU files and the column
   const Solved   run(Two(), pressed_block<2>());
   const fs::path out = run.folder / "out";
   CHECK(listed(fields_of(out / "solution_0001.0.vtu")) == listed(documented("solution.pvd")));
-  CHECK(listed(fields_of(out / "contact_0001.0.vtu")) == listed(documented("contact.pvd")));
+  const Solved rough(Two(), with_friction());
+  CHECK(listed(fields_of(rough.folder / "out" / "contact_0001.0.vtu")) ==
+        listed(documented("contact.pvd")));
 
   std::istringstream file(text_of(out / "profiles" / "foot.csv"));
   std::string        header;

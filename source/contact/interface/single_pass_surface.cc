@@ -242,7 +242,7 @@ namespace Signorini
           // the partition would then depend on the history.
           return {slave, elasticity.rotation_length_scale() / 5, pair.self_side, comm};
         std::vector<bool> has_points(slave.faces.size(), false);
-        for (const FixedIntegrationPoint<dim> &point : fixed_points)
+        for (const auto &point : fixed_points)
           has_points[point.face] = true;
         return SelfContact<dim>(has_points);
       }
@@ -278,9 +278,8 @@ namespace Signorini
             auto pairing =
               self ? make_self_pair() :
                      pair_points(side, master(), integration, limit, comm, surface.statistics);
-            paired      = std::move(pairing.points);
-            edge_points = std::move(pairing.edge_points);
-            weigh_by_reference_area(slave, edge_points);
+            paired = std::move(pairing.points);
+            weigh_by_reference_area(slave, edge_points = std::move(pairing.edge_points));
           }
         drop_empty_points(slave.patches, paired);
       }
