@@ -161,7 +161,9 @@ namespace Signorini
   template std::vector<LA::Vector> tangential_traction(const Snapshot<dim> &, unsigned int);       \
   template std::vector<LA::Vector> slip_since_contact(const Snapshot<dim> &, unsigned int);        \
   template PointVectors            slip_at_points(const Snapshot<dim> &);                          \
-  template ContactPatch            stick_zone(const Snapshot<dim> &, unsigned int);
+  template ContactPatch            stick_zone(const Snapshot<dim> &, unsigned int);                \
+  template std::vector<LA::Vector> all_tangential_tractions(const Snapshot<dim> &);                \
+  template bool are_negligible(const std::vector<LA::Vector> &, const Snapshot<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE
