@@ -5,6 +5,7 @@
 #include "driver/fixed_configuration_solver.h"
 #include "fields/snapshot.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -83,6 +84,11 @@ namespace Signorini
     {
       return my_uses_current_geometry;
     }
+
+    /// The largest deviation of prescribed displacements and of loads from straight lines between
+    /// two times, relative to their largest values up to the end of the history. Collective.
+    double
+    turn_of_loads(double from, double to);
 
     /// Return to a state of this mesh, to solve the load steps after it again. Collective.
     void
@@ -185,6 +191,9 @@ namespace Signorini
       double     time;
     };
     std::optional<PreviousSolution> previous_solution;
+
+    /// The largest prescribed displacement and load of the history, for turn_of_loads().
+    std::array<double, 2> largest_loads{{0, 0}};
 
     /// The last iterate of a failed load step.
     struct Failure

@@ -169,6 +169,13 @@ namespace Signorini
     if (!controls_path(scene))
       return problem.solve(t, tolerance);
     const State before = problem.state;
+    // Loads that turn within the step, as from pulling to pushing, would not be followed.
+    if (may_be_halved &&
+        problem.equilibrium->turn_of_loads(before.time, t) > 0.25 * scene.load_steps.path_error)
+      {
+        my_path_error = std::numeric_limits<double>::infinity();
+        return false;
+      }
     if (!problem.solve(t, tolerance))
       return false;
     const auto tractions = [this] {
@@ -183,7 +190,7 @@ namespace Signorini
         my_path_error = path_error(coarse, tractions());
         if (*my_path_error <= scene.load_steps.path_error || !may_be_halved)
           return true;
-        out << "  halving the load step changes tangential tractions by "
+        out << "  half as long load steps change tangential tractions by "
             << short_text(100 * *my_path_error, 2) << " %" << std::endl;
       }
     problem.equilibrium->return_to(before);
@@ -235,7 +242,9 @@ namespace Signorini
                 if (longest < 0.999 * shortest || (problem.report().has_unconstrained_modes &&
                                                    !scene.contact.chosen().has_friction))
                   return false;
-                if (!my_path_error)
+                if (my_path_error)
+                  out << "  the path: halving the load step" << std::endl;
+                else
                   out << "  no convergence (" << problem.report().reason
                       << (problem.report().tangent_is_indefinite ?
                             "; the tangent was not positive definite" :

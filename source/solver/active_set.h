@@ -58,11 +58,12 @@ namespace Signorini
     void
     stick_where_traction_turns(const PointVectors &trial, const PointVectors &traction);
 
-    /// Let the slipping points stick whose trial traction exceeds the bound of friction least, by
-    /// less than the mean. Returns their number. Collective.
+    /// Let the slipping points stick whose trial traction, relative to the bound of friction, is
+    /// least. Returns their number. Collective.
     /// @param trial trial traction of the law
+    /// @param share 1: all below the mean; 0: the least only
     unsigned int
-    stick_least_loaded(const PointVectors &trial);
+    stick_least_loaded(const PointVectors &trial, double share);
 
     /// Let the points that were and are closed keep the kind of their status, slip or stick.
     void

@@ -157,8 +157,8 @@ namespace Signorini
 
 
   // Slipping points do not hold a body. If all points slip that have to hold one, the step would be
-  // infinite, although only a part of them may slip in the end. After `patience` such steps the
-  // friction does not suffice. Collective.
+  // infinite, although only a part of them may slip in the end: some stick, fewer each time. After
+  // `patience` such steps the friction does not suffice. Collective.
   void
   ActiveSetStrategy::hold_bodies(const PointVectors &trial)
   {
@@ -167,7 +167,7 @@ namespace Signorini
     system.find_unconstrained_modes(active_set.values(), trial);
     const UnconstrainedModes &modes = system.unconstrained_modes();
     if (modes.unconstrained().size() > modes.unconstrainable().size() &&
-        active_set.stick_least_loaded(trial) > 0)
+        active_set.stick_least_loaded(trial, std::pow(0.5, n_holds)) > 0)
       ++n_holds;
   }
 

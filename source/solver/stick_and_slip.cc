@@ -2,7 +2,9 @@
 // The part of the active set that decides between stick and slip.
 #include "solver/active_set.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -30,7 +32,7 @@ namespace Signorini
 
 
   unsigned int
-  ActiveSet::stick_least_loaded(const PointVectors &trial)
+  ActiveSet::stick_least_loaded(const PointVectors &trial, const double share)
   {
     const MPI_Comm comm = now.get_mpi_communicator();
     // The trial traction relative to its bound; zero for all points but slipping ones.
@@ -43,17 +45,22 @@ namespace Signorini
         square += trial[a](i) * trial[a](i);
       return std::sqrt(square) / bound;
     };
-    double sum = 0, n = 0;
+    double sum = 0, n = 0, least = std::numeric_limits<double>::max();
     for (const auto i : now.locally_owned_elements())
       {
         const double l = load(i);
         sum += l;
         n += l > 0;
+        if (l > 0)
+          least = std::min(least, l);
       }
-    sum = Utilities::MPI::sum(sum, comm);
-    n   = Utilities::MPI::sum(n, comm);
+    sum   = Utilities::MPI::sum(sum, comm);
+    n     = Utilities::MPI::sum(n, comm);
+    least = Utilities::MPI::min(least, comm);
+    if (n == 0)
+      return 0;
     // Equal loads differ by rounding.
-    const double most   = (1 + 1e-9) * sum / n;
+    const double most   = (1 + 1e-9) * (least + share * (sum / n - least));
     unsigned int result = 0;
     for (const auto i : now.locally_owned_elements())
       if (const double l = load(i); l > 0 && l <= most)
