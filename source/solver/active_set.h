@@ -219,8 +219,8 @@ namespace Signorini
     bool
     zero_gaps_constrain_all_modes(const LA::Vector &gap);
     /// Let points stick if slipping ones leave bodies without constraint that friction has to hold.
-    /// Collective.
-    void
+    /// Returns true if that changes the set. Collective.
+    bool
     hold_bodies(const PointVectors &trial);
 
     ContactSystem     &system;

@@ -111,7 +111,8 @@ namespace Signorini
         if (n == 0 && !is_cold)
           active_set.keep_kinds();
         active_set.stick_where_traction_turns(trial, in.traction);
-        hold_bodies(trial);
+        if (hold_bodies(trial))
+          step.restricted_set = true;
       }
     if (!globalised && n > 0)
       active_set.deactivate_tensile_regions(trial[0]);
@@ -159,16 +160,18 @@ namespace Signorini
   // Slipping points do not hold a body. If all points slip that have to hold one, the step would be
   // infinite, although only a part of them may slip in the end: some stick, fewer each time. After
   // `patience` such steps the friction does not suffice. Collective.
-  void
+  bool
   ActiveSetStrategy::hold_bodies(const PointVectors &trial)
   {
     if (system.unconstrained_modes().empty() || n_holds >= patience)
-      return;
-    system.find_unconstrained_modes(active_set.values(), trial);
+      return false;
+    system.find_unconstrained_modes(active_set.values());
     const UnconstrainedModes &modes = system.unconstrained_modes();
-    if (modes.unconstrained().size() > modes.unconstrainable().size() &&
-        active_set.stick_least_loaded(trial, std::pow(0.5, n_holds)) > 0)
-      ++n_holds;
+    if (modes.unconstrained().size() <= modes.unconstrainable().size() ||
+        active_set.stick_least_loaded(trial, std::pow(0.5, n_holds)) == 0)
+      return false;
+    ++n_holds;
+    return true;
   }
 
 

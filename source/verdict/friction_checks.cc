@@ -14,14 +14,17 @@ namespace Signorini
     {
       const double largest = results["max_tangential_traction"],
                    excess  = results["max_friction_excess"];
-      return make_check_result(
+      CheckResult result   = make_check_result(
         "tangential traction beyond friction",
         name,
         largest > 0 ? excess / largest : 0.,
         1e-6,
         "tangential tractions exceed the friction coefficient times the pressure, relative to "
-        "the largest one",
+          "the largest one",
         "set a smaller Newton/Tolerance");
+      if (result.value > 1e-3)
+        result.outcome = Outcome::failed;
+      return result;
     }
 
     /// Check that friction takes work from the bodies, apart from rounding.
