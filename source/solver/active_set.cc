@@ -285,13 +285,13 @@ namespace Signorini
 
 
 
-  // Of all points whose status would change, keep the change of the one with the largest absolute
+  // Of all points that would open or close, keep the change of the one with the largest absolute
   // trial traction (several if they are equal). Collective.
   void
   ActiveSet::change_only_most_violated(const LA::Vector &trial)
   {
     const auto violation = [&](const auto i) {
-      return now(i) == last(i) ? 0. : std::abs(trial(i));
+      return is_closed(now(i)) == is_closed(last(i)) ? 0. : std::abs(trial(i));
     };
     double worst = 0;
     for (const auto i : trial.locally_owned_elements())

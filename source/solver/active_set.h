@@ -66,7 +66,8 @@ namespace Signorini
     stick_least_loaded(const PointVectors &trial, double share);
 
     /// Let the points that were and are closed keep the kind of their status, slip or stick.
-    void
+    /// Returns true if that changes the set. Collective.
+    bool
     keep_kinds();
 
     /// Restrict the newly active points of each pair to those with at least half of the deepest
@@ -98,7 +99,7 @@ namespace Signorini
     unsigned int
     deactivate_zero_gap(const LA::Vector &gap);
 
-    /// Undo all changes of the set but that of the point that violates the law most. Collective.
+    /// Undo all openings and closures but that of the point that violates the law most. Collective.
     /// @param trial normal component of the trial traction of the law
     void
     change_only_most_violated(const LA::Vector &trial);

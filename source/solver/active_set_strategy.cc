@@ -105,11 +105,13 @@ namespace Signorini
                                              active_set.restrict_to_deepest(gap, grows);
         step.restricted_set       = kept < all;
       }
+    bool kept_kinds = false;
     if (contact.n_components() > 1)
       {
-        // Slips are those of the last load step until the first step.
+        // Slips are those of the last load step until the first step. What is kept against the law
+        // is not a solution.
         if (n == 0 && !is_cold)
-          active_set.keep_kinds();
+          kept_kinds = active_set.keep_kinds();
         active_set.stick_where_traction_turns(trial, in.traction);
         if (hold_bodies(trial))
           step.restricted_set = true;
@@ -138,8 +140,9 @@ namespace Signorini
     // obstacle that retreats would lose all contact before the bodies follow: the last set is kept
     // for that step.
     step.kept_previous_set =
-      n == 0 && (active_set.restore_previous_if_active() ||
-                 (!is_cold && active_set.replace_if_empty(law.status(in.traction))));
+      kept_kinds ||
+      (n == 0 && (active_set.restore_previous_if_active() ||
+                  (!is_cold && active_set.replace_if_empty(law.status(in.traction)))));
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
     n_changes += step.changes > 0;

@@ -74,12 +74,17 @@ namespace Signorini
 
 
 
-  void
+  bool
   ActiveSet::keep_kinds()
   {
+    unsigned int n = 0;
     for (const auto i : now.locally_owned_elements())
-      if (is_closed(now(i)) && is_closed(last(i)))
-        now(i) = last(i);
+      if (is_closed(now(i)) && is_closed(last(i)) && now(i) != last(i))
+        {
+          now(i) = last(i);
+          ++n;
+        }
     now.compress(VectorOperation::insert);
+    return Utilities::MPI::max(n, now.get_mpi_communicator()) > 0;
   }
 } // namespace Signorini
