@@ -122,7 +122,7 @@ namespace Signorini
           // The residual of the constraint is (t - Pi)/epsilon with the projection Pi.
           const LawVector d = start.law.response(i, in.at(i), status_of(status(i))).residual;
           for (unsigned int a = 1; a < result.size(); ++a)
-            result[a](i) = result[a](i) - contact.coefficients.epsilon(i) * d[a];
+            result[a](i) = result[a](i) - start.law.residual_stiffness(i) * d[a];
         }
       for (LA::Vector &component : result)
         component.compress(VectorOperation::insert);

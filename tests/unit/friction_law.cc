@@ -78,7 +78,7 @@ namespace
     GapOperator contact;
     contact.weight                 = one_value(1);
     contact.coefficients.bilateral = one_value(0);
-    contact.coefficients.stiffness = one_value(epsilon);
+    contact.coefficients.stiffness = one_value(epsilon / 20);
     contact.coefficients.epsilon   = one_value(epsilon);
     contact.coefficients.friction  = one_value(friction);
     contact.tangential.B.resize(2);

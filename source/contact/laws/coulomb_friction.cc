@@ -72,17 +72,44 @@ namespace Signorini
 
 
 
+  // Any parameter of the size of E/h is good for an unknown traction; stiffer ones turn small slips
+  // of an iterate into large trial tractions of all directions. For augmentations a stiffer one
+  // saves some.
+  double
+  CoulombFriction::parameter(const Index point) const
+  {
+    constexpr double stiff   = 10;
+    const double     epsilon = normal.epsilon(point), k = contact.coefficients.stiffness(point);
+    return augments()       ? std::min(epsilon, stiff * k) :
+           has_multiplier() ? std::min(epsilon, k) :
+                              epsilon;
+  }
+
+
+
+  double
+  CoulombFriction::elastic_compliance(const Index point) const
+  {
+    return has_multiplier() && shift == PressureShift::none ? 1 / normal.epsilon(point) : 0.;
+  }
+
+
+
   LawVector
   CoulombFriction::trial(const Index point, const LawInput &in) const
   {
-    LawVector result = normal.trial(point, in);
+    LawVector    result = normal.trial(point, in);
+    const double c      = parameter(point);
     for (unsigned int a = 1; a < n_components(); ++a)
       {
-        const double predicted = shift == PressureShift::multiplier    ? in.traction[a] :
+        const double predicted = has_multiplier()                      ? in.traction[a] :
                                  shift == PressureShift::normal_stress ? in.stress[a] :
                                  shift == PressureShift::last_pressure ? last[a](point) :
                                                                          in.internal.vectors[0][a];
-        result[a]              = predicted - normal.epsilon(point) * in.gap[a];
+        // The slip of an unknown traction with compliance is that beyond the elastic one.
+        const double elastic =
+          elastic_compliance(point) * (in.traction[a] - in.internal.vectors[0][a]);
+        result[a] = predicted - c * (in.gap[a] + elastic);
       }
     return result;
   }
@@ -130,39 +157,44 @@ namespace Signorini
     if (status == ContactStatus::open)
       return result;
 
-    const unsigned int   n       = n_components();
-    const double         epsilon = normal.epsilon(point);
-    const LawVector      tried   = trial(point, in);
+    const unsigned int   n = n_components();
+    const double         c = parameter(point), elastic = elastic_compliance(point);
+    const LawVector      tried = trial(point, in);
     const DiscProjection allowed =
       project(tried, contact.coefficients.friction_bound(point, tried[0]), status);
     double slip = 0;
     for (unsigned int a = 1; a < n; ++a)
       {
         // Without a multiplier the residual is what the next augmentation changes.
-        const double before = has_multiplier() ? in.traction[a] : tried[a] + epsilon * in.gap[a];
+        const double before = has_multiplier() ? in.traction[a] : tried[a] + c * in.gap[a];
         result.traction[a]  = has_multiplier() ? in.traction[a] : allowed.traction[a];
-        result.residual[a]  = (before - allowed.traction[a]) / epsilon;
+        result.residual[a]  = (before - allowed.traction[a]) / c;
         result.internal.vectors[0][a] = result.traction[a];
         result.internal.vectors[1][a] = in.internal.vectors[1][a] + in.gap[a];
         result.internal.scalars[0] -= result.traction[a] * in.gap[a];
         slip = std::hypot(slip, in.gap[a]);
         for (unsigned int b = 0; b < n; ++b)
           {
-            const double by_trial        = allowed.by_trial[a][b];
-            result.residual_by_gap[a][b] = by_trial;
+            // By the pressure with the penalty of the normal law, by the slip with the parameter.
+            const double by_trial        = allowed.by_trial[a][b],
+                         stiffness       = b == 0 ? normal.epsilon(point) : c;
+            result.residual_by_gap[a][b] = by_trial * stiffness / c;
             if (!has_multiplier())
               {
-                result.by_gap[a][b]    = -epsilon * by_trial;
+                result.by_gap[a][b]    = -stiffness * by_trial;
                 result.by_stress[a][b] = shift == PressureShift::normal_stress ? by_trial : 0;
                 continue;
               }
-            const double through              = shift == PressureShift::multiplier ? by_trial : 0;
-            result.residual_by_traction[a][b] = ((a == b ? 1. : 0.) - through) / epsilon;
+            const double trial_by_traction = b > 0                              ? 1 - c * elastic :
+                                             shift == PressureShift::multiplier ? 1. :
+                                                                                  0.;
+            result.residual_by_traction[a][b] =
+              ((a == b ? 1. : 0.) - by_trial * trial_by_traction) / c;
           }
-        if (has_multiplier())
+        if (has_multiplier() && elastic == 0)
           {
-            result.residual[a] += compliance * in.traction[a] / epsilon;
-            result.residual_by_traction[a][a] += compliance / epsilon;
+            result.residual[a] += compliance * in.traction[a] / c;
+            result.residual_by_traction[a][a] += compliance / c;
           }
       }
     if (status == ContactStatus::slip)

@@ -8,15 +8,17 @@ namespace Signorini
   /// Coulomb friction upon normal contact, one law for all methods: with the slip s of the load
   /// step, the bound r(p), mu p in the simplest case, and the projection Pi onto the disc |t| <= r,
   ///
-  ///   t = Pi(t^ - eps s),
+  ///   t = Pi(t^ - c s),
   ///
   /// where t^ is chosen like p^ of the normal law: the traction itself, if it is an unknown; the
   /// tangential stress of the bodies (Nitsche); the traction of the last augmentation (Uzawa); and
-  /// otherwise the traction at the end of the last load step, so that the law is the return mapping
-  /// of an elastic slip. A point sticks where t^ - eps s is inside the disc, else it slips. If the
-  /// traction is an unknown, the equation is (t - Pi(t^ - eps s))/eps = 0: s = 0 where it sticks
-  /// (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler,
-  /// Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
+  /// otherwise the traction t_n at the end of the last load step, with c = eps, so that the law is
+  /// the return mapping of an elastic slip. The latter is solved with the traction as an unknown as
+  /// well: s is then the slip beyond the elastic one, s + (t - t_n)/eps. A point sticks where
+  /// t^ - c s is inside the disc, else it slips. If the traction is an unknown, the equation is
+  /// (t - Pi(t^ - c s))/c = 0: s = 0 where it sticks, and the solution does not depend on c (Alart,
+  /// Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler, Wohlmuth, SIAM
+  /// J. Sci. Comput. 30 (2008) 572-596).
   ///
   /// The internal variables are, at the end of the last load step: the tangential traction (vector
   /// 0); the slip since the point came into contact (vector 1) [length]; and the work per area that
@@ -112,6 +114,14 @@ namespace Signorini
     response(Index point, const LawInput &in, ContactStatus status) const override;
 
   private:
+    /// The parameter c of the tangential part [force/length^3].
+    double
+    parameter(Index point) const;
+
+    /// 1/eps where tractions are unknowns of a penalty law, else 0 [length^3/force].
+    double
+    elastic_compliance(Index point) const;
+
     NormalContact       normal;
     const PressureShift shift;
     PointVectors        last; ///< traction of the last augmentation

@@ -33,10 +33,12 @@ namespace Signorini
       return PressureShift::none;
     }
 
+    /// With friction the tractions are unknowns with the compliance 1/eps: trial tractions of a
+    /// stiff penalty have all directions while Newton's method iterates.
     bool
     has_multipliers() const override
     {
-      return false;
+      return has_friction;
     }
 
     /// eps = Factor E/h (L/h)^a with the exponent a of `Mesh size exponent` and the size L of the
