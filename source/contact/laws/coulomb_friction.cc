@@ -73,16 +73,12 @@ namespace Signorini
 
 
   // Any parameter of the size of E/h is good for an unknown traction; stiffer ones turn small slips
-  // of an iterate into large trial tractions of all directions. For augmentations a stiffer one
-  // saves some.
+  // of an iterate into large trial tractions of all directions.
   double
   CoulombFriction::parameter(const Index point) const
   {
-    constexpr double stiff   = 10;
-    const double     epsilon = normal.epsilon(point), k = contact.coefficients.stiffness(point);
-    return augments()       ? std::min(epsilon, stiff * k) :
-           has_multiplier() ? std::min(epsilon, k) :
-                              epsilon;
+    const double epsilon = normal.epsilon(point);
+    return has_multiplier() ? std::min(epsilon, contact.coefficients.stiffness(point)) : epsilon;
   }
 
 
