@@ -95,7 +95,9 @@ namespace Signorini
   CoulombFriction::trial(const Index point, const LawInput &in) const
   {
     LawVector    result = normal.trial(point, in);
-    const double c      = parameter(point);
+    const double c = parameter(point), elastic_part = elastic_compliance(point);
+    if (elastic_part > 0)
+      result[0] = in.traction[0] - c * (in.gap[0] + elastic_part * in.traction[0]);
     for (unsigned int a = 1; a < n_components(); ++a)
       {
         const double predicted = has_multiplier()                      ? in.traction[a] :
@@ -173,7 +175,7 @@ namespace Signorini
           {
             // By the pressure with the penalty of the normal law, by the slip with the parameter.
             const double by_trial        = allowed.by_trial[a][b],
-                         stiffness       = b == 0 ? normal.epsilon(point) : c;
+                         stiffness       = b == 0 && elastic == 0 ? normal.epsilon(point) : c;
             result.residual_by_gap[a][b] = by_trial * stiffness / c;
             if (!has_multiplier())
               {
@@ -181,9 +183,7 @@ namespace Signorini
                 result.by_stress[a][b] = shift == PressureShift::normal_stress ? by_trial : 0;
                 continue;
               }
-            const double trial_by_traction = b > 0                              ? 1 - c * elastic :
-                                             shift == PressureShift::multiplier ? 1. :
-                                                                                  0.;
+            const double trial_by_traction = 1 - c * elastic;
             result.residual_by_traction[a][b] =
               ((a == b ? 1. : 0.) - by_trial * trial_by_traction) / c;
           }
