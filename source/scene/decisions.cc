@@ -242,8 +242,7 @@ namespace Signorini
 
 
 
-  // Error estimates contain neither the errors of former load steps nor that of the load path, and
-  // nothing chooses load steps for the path yet: a number is wanted that the user is aware of.
+  // Error estimates contain neither the errors of former load steps nor that of the load path.
   template <int dim>
   void
   Decisions<dim>::check_friction() const
@@ -251,8 +250,7 @@ namespace Signorini
     const auto refuse = [](const std::string &key, const std::string &why) {
       throw SceneError(key + ": " + why);
     };
-    const auto &method = scene.contact.chosen();
-    if (method.pressure_shift() == PressureShift::normal_stress)
+    if (scene.contact.chosen().pressure_shift() == PressureShift::normal_stress)
       refuse("Contact method/Method = " + scene.contact.chosen_name(),
              "friction is not available with this method; set Method = Lagrange multiplier");
     if (!scene.goals.quantities.empty())

@@ -185,10 +185,11 @@ namespace Signorini
       "Method chooses the contact method; the sections of the other methods are ignored.",
       [&](Section &s) { contact.declare(s); });
     // The methods make their laws for contact points of one or of all components.
+    const bool has_friction = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+      return !pair.friction.is_zero();
+    });
     for (auto &[name, method] : contact.methods)
-      method->has_friction = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
-        return !pair.friction.is_zero();
-      });
+      method->has_friction = has_friction;
     section.add_section("Accuracy",
                         "Quantities of interest, their error bounds, and adaptive refinement.",
                         [&](Section &s) {

@@ -109,8 +109,6 @@ namespace Signorini
     /// forces along them on the slave and of the reactions on the master, as of PointGeometry,
     /// which differ from each other in displaced configurations only. [a][d]
     std::vector<std::vector<LA::Vector>> direction, moment, master_moment;
-    /// Weighted mean of the quotient of present and reference area.
-    LA::Vector stretch;
   };
 
   /// The linearisation of contact about a displaced configuration u_k; empty in the reference

@@ -63,7 +63,6 @@ namespace Signorini
       tangential.direction.assign(dim - 1, std::vector<LA::Vector>(dim, zero));
       tangential.moment.assign(dim - 1, std::vector<LA::Vector>(n_moments, zero));
       tangential.master_moment = tangential.moment;
-      tangential.stretch       = zero;
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         for (unsigned int q = 0; q < surfaces[p].frames.size(); ++q)
           for (const auto &[row, weight] : rows.shares[p][q])
@@ -72,7 +71,6 @@ namespace Signorini
               const SurfaceFrame<dim> &frame = surfaces[p].frames[q];
               const auto               slip  = tangents.slip(row, frame, point.direction);
               const auto               tau   = tangents.at(row, frame, point.direction);
-              tangential.stretch(row) += weight * point.stretch;
               for (unsigned int a = 0; a < dim - 1; ++a)
                 {
                   tangential.offset[a](row) += weight * slip[a];
@@ -264,8 +262,6 @@ namespace Signorini
         for (std::vector<LA::Vector> &of_tangent : *group)
           for (LA::Vector &v : of_tangent)
             means.push_back(&v);
-      if (contact.n_components() > 1)
-        means.push_back(&contact.tangential.stretch);
       for (LA::Vector *v : means)
         {
           v->compress(VectorOperation::add);

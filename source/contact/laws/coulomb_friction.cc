@@ -95,9 +95,9 @@ namespace Signorini
   CoulombFriction::trial(const Index point, const LawInput &in) const
   {
     LawVector    result = normal.trial(point, in);
-    const double c = parameter(point), elastic_part = elastic_compliance(point);
-    if (elastic_part > 0)
-      result[0] = in.traction[0] - c * (in.gap[0] + elastic_part * in.traction[0]);
+    const double c = parameter(point), elastic = elastic_compliance(point);
+    if (elastic > 0)
+      result[0] = in.traction[0] - c * (in.gap[0] + elastic * in.traction[0]);
     for (unsigned int a = 1; a < n_components(); ++a)
       {
         const double predicted = has_multiplier()                      ? in.traction[a] :
@@ -105,9 +105,8 @@ namespace Signorini
                                  shift == PressureShift::last_pressure ? last[a](point) :
                                                                          in.internal.vectors[0][a];
         // The slip of an unknown traction with compliance is that beyond the elastic one.
-        const double elastic =
-          elastic_compliance(point) * (in.traction[a] - in.internal.vectors[0][a]);
-        result[a] = predicted - c * (in.gap[a] + elastic);
+        const double elastic_slip = elastic * (in.traction[a] - in.internal.vectors[0][a]);
+        result[a]                 = predicted - c * (in.gap[a] + elastic_slip);
       }
     return result;
   }
@@ -145,7 +144,8 @@ namespace Signorini
   // the traction along them is undetermined: a compliance far below the accuracy of solutions makes
   // it zero.
   //
-  // The chain rule: the trial depends on gap and slip by -eps, and on what t^ is by 1.
+  // The chain rule: the trial depends on the gap by -eps or -c, on the slip by -c, and on an
+  // unknown traction by 1, less c times its elastic compliance.
   LawResponse
   CoulombFriction::response(const Index point, const LawInput &in, const ContactStatus status) const
   {
