@@ -265,7 +265,7 @@ namespace Signorini
     contact->set_interference(shares);
     if (scene.contact.chosen().has_friction)
       set_friction(t, internal);
-    if (contact->S_thermal.m() > 0)
+    if (!contact->S_thermal.empty())
       contact->set_temperature_change(elasticity.thermal().coefficients());
   }
 

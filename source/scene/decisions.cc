@@ -250,9 +250,6 @@ namespace Signorini
     const auto refuse = [](const std::string &key, const std::string &why) {
       throw SceneError(key + ": " + why);
     };
-    if (scene.contact.chosen().pressure_shift() == PressureShift::normal_stress)
-      refuse("Contact method/Method = " + scene.contact.chosen_name(),
-             "friction is not available with this method; set Method = Lagrange multiplier");
     if (!scene.goals.quantities.empty())
       refuse("Accuracy/Quantity = " + scene.goals.quantities.front(),
              "error estimates are not available with friction; remove Quantity, and compare "

@@ -87,7 +87,7 @@ namespace Signorini
                        by_stress = response.by_stress[a][b];
           D[a][b](i)             = -by_gap * W;
           X[a][b](i)             = by_stress * W;
-          if (contact.has_stress() && a == 0)
+          if (contact.has_stress())
             {
               const double epsilon = contact.coefficients.epsilon(i);
               Y[a][b](i)           = (unit - by_stress) / epsilon * W;
@@ -189,21 +189,30 @@ namespace Signorini
       result *= factor;
       return result;
     };
-    const unsigned int m     = volumetric_block();
+    const unsigned int m = volumetric_block(), n = law.n_components();
     const double       theta = contact.theta;
-    LA::Vector         gap = contact.zero(), stress = gap, of_volumetric = gap;
-    contact.S_free.vmult(stress, src.block(0));
-    contact.S_volumetric.vmult(of_volumetric, src.block(m));
-    contact.S_free.Tvmult_add(dst.block(0), product(Y[0][0], of_volumetric, -theta));
-    stress += of_volumetric;
-    LA::Vector sum = product(Y[0][0], stress, -theta);
-    for (unsigned int a = 0; a < law.n_components(); ++a)
+    PointVectors       gap = contact.zeros(), stress = gap, of_volumetric = gap;
+    for (unsigned int b = 0; b < n; ++b)
       {
-        contact.free_rows(a).Tvmult_add(dst.block(0), product(X[a][0], of_volumetric, -1));
-        contact.free_rows(a).vmult(gap, src.block(0));
-        sum += product(Z[0][a], gap, -theta);
+        contact.free_rows(b).vmult(gap[b], src.block(0));
+        contact.S_free[b].vmult(stress[b], src.block(0));
+        contact.S_volumetric[b].vmult(of_volumetric[b], src.block(m));
+        stress[b] += of_volumetric[b];
       }
-    contact.S_volumetric.Tvmult_add(dst.block(m), sum);
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        LA::Vector on_gap = contact.zero(), on_stress = on_gap, on_volumetric = on_gap;
+        for (unsigned int b = 0; b < n; ++b)
+          {
+            on_gap += product(X[a][b], of_volumetric[b], -1);
+            on_stress += product(Y[a][b], of_volumetric[b], -theta);
+            on_volumetric += product(Y[a][b], stress[b], -theta);
+            on_volumetric += product(Z[a][b], gap[b], -theta);
+          }
+        contact.free_rows(a).Tvmult_add(dst.block(0), on_gap);
+        contact.S_free[a].Tvmult_add(dst.block(0), on_stress);
+        contact.S_volumetric[a].Tvmult_add(dst.block(m), on_volumetric);
+      }
   }
 
 

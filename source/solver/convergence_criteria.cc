@@ -42,7 +42,7 @@ namespace Signorini
     my_reference_forces.assign(n_bodies, largest);
     if (!contact.empty())
       {
-        const LA::Vector force = contact.force(in.traction, in.stress[0]);
+        const LA::Vector force = contact.force(in.traction, in.stress);
         r += force;
         contact.add_moved_force(r, u);
         largest             = std::max(largest, force.l2_norm());

@@ -42,7 +42,7 @@ namespace Signorini
       return response.by_gap;
     }
 
-    /// The derivative of the traction with respect to the normal stress.
+    /// The derivative of the traction with respect to the stress.
     LawMatrix
     by_stress(const LawResponse &response)
     {
@@ -70,12 +70,14 @@ namespace Signorini
             }
           return result;
         }
-      const PointVectors by = derivative_by_law(law, in, status, of_traction, by_gap);
-      for (unsigned int a = 0; a < by.size(); ++a)
-        contact.free_rows(a).Tvmult_add(result.block(0), by[a]);
-      if (contact.has_stress())
-        contact.S_free.Tvmult_add(result.block(0),
-                                  derivative_by_law(law, in, status, of_traction, by_stress)[0]);
+      const PointVectors gap    = derivative_by_law(law, in, status, of_traction, by_gap),
+                         stress = derivative_by_law(law, in, status, of_traction, by_stress);
+      for (unsigned int a = 0; a < gap.size(); ++a)
+        {
+          contact.free_rows(a).Tvmult_add(result.block(0), gap[a]);
+          if (contact.has_stress())
+            contact.S_free[a].Tvmult_add(result.block(0), stress[a]);
+        }
       return result;
     }
   } // namespace
@@ -92,7 +94,7 @@ namespace Signorini
                const LA::Vector   &of_pressure,
                const double        reduction)
   {
-    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.volumetric_stress())};
+    const PointVectors gaps = contact.gaps(u), s = contact.stress(u, bodies.volumetric_stress());
     const LawInputs    in{gaps, s, state.traction, state.internal};
     const unsigned int n_q = system.is_saddle_point() ? law.n_components() : 0;
     linearise(u, in);

@@ -50,8 +50,7 @@ namespace Signorini
       const ContactLaw  &law;
       const GapOperator &contact;
       const LawInputs   &in;
-      PointVectors       B_du;
-      LA::Vector         S_du;
+      PointVectors       B_du, S_du;
       double             start, curvature; ///< phi'(0), and du.K du
     };
 
@@ -66,7 +65,7 @@ namespace Signorini
       , contact(law.gap_operator())
       , in(in)
       , B_du(contact.zeros())
-      , S_du(contact.zero())
+      , S_du(contact.zeros())
       , start(-(r * du))
     {
       LA::Vector K_du;
@@ -74,9 +73,11 @@ namespace Signorini
       system.internal_force(K_du, du);
       curvature = K_du * du;
       for (unsigned int k = 0; k < B_du.size(); ++k)
-        contact.free_rows(k).vmult(B_du[k], du);
-      if (contact.has_stress())
-        contact.S_free.vmult(S_du, du);
+        {
+          contact.free_rows(k).vmult(B_du[k], du);
+          if (contact.has_stress())
+            contact.S_free[k].vmult(S_du[k], du);
+        }
     }
 
 
@@ -96,8 +97,10 @@ namespace Signorini
     {
       LawInput there = in.at(i);
       for (unsigned int k = 0; k < B_du.size(); ++k)
-        there.gap[k] += a * B_du[k](i);
-      there.stress[0] += a * S_du(i);
+        {
+          there.gap[k] += a * B_du[k](i);
+          there.stress[k] += a * S_du[k](i);
+        }
       return law.response(i, there, law.status(i, law.trial(i, there))).traction;
     }
 
@@ -108,12 +111,12 @@ namespace Signorini
     Slope::of_contact(const double a) const
     {
       double sum = 0;
-      for (const auto i : S_du.locally_owned_elements())
+      for (const auto i : contact.weight.locally_owned_elements())
         {
           const LawVector p = traction(i, a);
           for (unsigned int k = 0; k < B_du.size(); ++k)
             {
-              const double dp = p[k] - in.traction[k](i), ds = k == 0 ? double(S_du(i)) : 0.;
+              const double dp = p[k] - in.traction[k](i), ds = S_du[k](i);
               sum += contact.weight(i) *
                      (dp * B_du[k](i) +
                       contact.theta / contact.coefficients.epsilon(i) * ds * (a * ds - dp));

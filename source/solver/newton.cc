@@ -94,7 +94,7 @@ namespace Signorini
   {
     NewtonStep &step           = stage.step;
     stage.gap                  = contact.gaps(u);
-    stage.stress               = {contact.stress(u, bodies.volumetric_stress())};
+    stage.stress               = contact.stress(u, bodies.volumetric_stress());
     const bool      was_scaled = law.has_scaled_penalty();
     const LawInputs in{stage.gap, stage.stress, state.traction, state.internal};
     if (!contact.empty())
@@ -123,7 +123,7 @@ namespace Signorini
       system.find_unconstrained_modes(state.status, state.traction);
     if (settings.undetermined_modes == UnconstrainedModeTreatment::hold)
       report.stabilisation_force =
-        system.unconstrained_modes().project_out(r, state.traction, stage.stress[0]);
+        system.unconstrained_modes().project_out(r, state.traction, stage.stress);
     step.residual           = r.l2_norm() / convergence.scale();
     step.residual_of_bodies = convergence.residual_of_bodies(r);
     // Volumetric stress: its residual counts together with that of the displacement.
@@ -132,7 +132,7 @@ namespace Signorini
         LA::Vector &m = stage.rhs.block(system.volumetric_block());
         m             = bodies.volumetric()->residual(u);
         if (contact.has_volumetric_stress())
-          m += contact.force_on_volumetric_stress(state.traction, stage.stress[0]);
+          m += contact.force_on_volumetric_stress(state.traction, stage.stress);
         const double volume = m.l2_norm();
         step.residual       = std::hypot(step.residual, volume / convergence.scale());
         step.residual_of_bodies =
@@ -278,7 +278,7 @@ namespace Signorini
   {
     if (state.internal.empty())
       return {};
-    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.volumetric_stress())};
+    const PointVectors gaps = contact.gaps(u), s = contact.stress(u, bodies.volumetric_stress());
     return law.internal({gaps, s, state.traction, state.internal}, state.status);
   }
 
@@ -295,7 +295,7 @@ namespace Signorini
     try
       {
         const PointVectors gaps = contact.gaps(u),
-                           s    = {contact.stress(u, bodies.volumetric_stress())};
+                           s    = contact.stress(u, bodies.volumetric_stress());
         linearise(u, {gaps, s, state.traction, state.internal});
       }
     catch (const SolverFailure &)

@@ -38,8 +38,8 @@ namespace Signorini
       PointVectors
       traction(const LA::Vector &u, const PointVectors &unknown) const;
 
-      /// The normal stress of the bodies at the points.
-      LA::Vector
+      /// The stress of the bodies at the points.
+      PointVectors
       stress(const LA::Vector &u) const
       {
         return contact.stress(u, start.bodies.volumetric_stress());
@@ -107,7 +107,7 @@ namespace Signorini
     PointVectors
     Resistance::traction(const LA::Vector &u, const PointVectors &unknown) const
     {
-      const PointVectors gaps = contact.gaps(u), s = {stress(u)};
+      const PointVectors gaps = contact.gaps(u), s = stress(u);
       const LawInputs    in{gaps, s, unknown, start.contact.internal};
       const PointVectors trial  = start.law.trial(in);
       const LA::Vector   status = start.law.status(trial);

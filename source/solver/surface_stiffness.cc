@@ -81,7 +81,7 @@ namespace Signorini
 
       /// Add B_a^T (d B_b - x S_b) - S_a^T (z B_b + y S_b) to a block over the columns of the
       /// point.
-      /// @param S_a,S_b rows of the normal stress; null: that component has none
+      /// @param S_a,S_b rows of the stress; null: the method does not use it
       void
       add_to(FullMatrix<double> &block,
              const double       *B_a,
@@ -112,7 +112,7 @@ namespace Signorini
   {
     if (surface.empty())
       return; // no points on this rank
-    // With normal stresses open points contribute too, and most points are unchanged between two
+    // With stresses open points contribute too, and most points are unchanged between two
     // active sets: only differences are added. Without them the matrix is summed up anew, since the
     // differences of stiff penalties would leave rounding errors.
     if (!contact.has_stress())
@@ -150,7 +150,7 @@ namespace Signorini
   {
     const unsigned int n        = law.n_components();
     const auto         row_of_S = [&](const unsigned int a) -> const double         *{
-      return a == 0 && contact.has_stress() ? LA::RowView(contact.S_free, point).values : nullptr;
+      return contact.has_stress() ? LA::RowView(contact.S_free[a], point).values : nullptr;
     };
     bool any = false;
     for (unsigned int a = 0; a < n; ++a)

@@ -268,7 +268,7 @@ namespace Signorini
   double
   UnconstrainedModes::project_out(LA::Vector         &r,
                                   const PointVectors &p,
-                                  const LA::Vector   &stress) const
+                                  const PointVectors &stress) const
   {
     constexpr double little = 0.01;
     if (my_unconstrained.empty())

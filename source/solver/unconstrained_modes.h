@@ -76,7 +76,7 @@ namespace Signorini
     /// @param p tractions; for pairs without separation, which may pull at some points and push at
     /// others, the resultant counts
     double
-    project_out(LA::Vector &r, const PointVectors &p, const LA::Vector &stress) const;
+    project_out(LA::Vector &r, const PointVectors &p, const PointVectors &stress) const;
 
     /// Move u along the unconstrained modes, in the direction of the forces r, up to the first
     /// contact and a little further. Returns false if there is no contact in that direction.

@@ -131,7 +131,7 @@ namespace
         p    = 0.;
         p(i) = 1;
         p.compress(VectorOperation::insert);
-        forces.push_back(contact->force({p}, p));
+        forces.push_back(contact->force({p}, {p}));
       }
     return std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
                        flexibility(elasticity.stiffness(), forces),

@@ -288,7 +288,7 @@ namespace
                            keeps_integration_points);
       LA::Vector p = scene.gap_operator().zero();
       p            = 1.;
-      return scene.gap_operator().force({p}, p);
+      return scene.gap_operator().force({p}, {p});
     };
     scene.contact->build(Configuration<dim>(elasticity, u));
     const LA::Vector force = force_at(0);

@@ -119,7 +119,7 @@ namespace
                      pressure = law.traction({{gap}, {none}, {p}, {}}, active)[0];
     scene.elasticity->stiffness().vmult(right.block(0), u);
     right.block(0).sadd(-1, 1, scene.elasticity->load());
-    right.block(0) += contact.force({pressure}, contact.zero());
+    right.block(0) += contact.force({pressure}, contact.zeros());
     scene.elasticity->constraints().set_zero(right.block(0));
     if (system.is_saddle_point())
       right.block(1) = law.residual({{gap}, {none}, {pressure}, {}}, active)[0];

@@ -144,7 +144,7 @@ namespace
     const Law start = residual(0), end = residual(1);
 
     // The program's law and force.
-    const LA::Vector gap = contact.gap(state.u), stress = contact.stress(state.u);
+    const LA::Vector gap = contact.gap(state.u), stress = contact.stress(state.u)[0];
     const LA::Vector none = contact.zero();
     NormalContact    contact_law(scene.method(), contact);
     contact_law.augment({predicted});
@@ -159,7 +159,7 @@ namespace
         CHECK(n_active < start.gap.size());
       }
     const double work  = reference.work(start.pressure, start.stress, state.all_w);
-    const auto   force = contact.force({p}, stress);
+    const auto   force = contact.force({p}, {stress});
     const double size  = force.l2_norm() * state.w.l2_norm();
     CHECK(std::abs(force * state.w + work) < 1e-13 * size);
 

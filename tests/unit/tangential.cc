@@ -98,7 +98,7 @@ namespace
       }
     const PointVectors stress = {contact.zero()};
     const LawInputs    in{gaps, stress, traction, internal};
-    result.block(0) = contact.force(law.traction(in, status), stress[0]);
+    result.block(0) = contact.force(law.traction(in, status), stress);
     if (system.is_saddle_point())
       {
         const PointVectors r = law.residual(in, status);
@@ -614,7 +614,7 @@ namespace
       scene->contact->build(Configuration<dim>(elasticity, there, u),
                             false,
                             keeps_integration_points);
-      return scene->gap_operator().force(tractions_at_points(), scene->gap_operator().zero());
+      return scene->gap_operator().force(tractions_at_points(), scene->gap_operator().zeros());
     };
     scene->contact->build(Configuration<dim>(elasticity, u));
     LA::Vector expected = force_at(0);

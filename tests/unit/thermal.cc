@@ -448,7 +448,7 @@ namespace
     scene.elasticity.stiffness().vmult(r, u);
     const LA::Vector f = scene.elasticity.load();
     r -= f;
-    r -= scene.contact->force({pressure}, s);
+    r -= scene.contact->force({pressure}, {s});
     scene.elasticity.constraints().set_zero(r);
     CHECK(r.l2_norm() < 1e-13 * f.l2_norm());
   }

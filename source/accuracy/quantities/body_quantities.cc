@@ -92,14 +92,14 @@ namespace Signorini
         {
           // Nitsche's method has the additional force theta S^T W (s - p)/eps.
           LA::Vector by_stress = contact.zero();
-          contact.S.vmult(by_stress, result.lift);
+          contact.S[0].vmult(by_stress, result.lift);
           by_stress.scale(contact.weight);
           for (const auto i : by_stress.locally_owned_elements())
             by_stress(i) *= contact.theta / contact.coefficients.epsilon(i);
           by_stress.compress(VectorOperation::insert);
           of_pressure += by_stress;
           by_stress *= -1;
-          contact.S_free.Tvmult_add(result.of_displacement, by_stress);
+          contact.S_free[0].Tvmult_add(result.of_displacement, by_stress);
         }
       return result;
     }

@@ -59,8 +59,8 @@ namespace Signorini
     move(contact.B, contact.B_free);
     for (unsigned int a = 0; a < contact.tangential.B.size(); ++a)
       move(contact.tangential.B[a], contact.tangential.B_free[a]);
-    if (contact.has_stress())
-      move(contact.S, contact.S_free);
+    for (unsigned int a = 0; a < contact.S.size(); ++a)
+      move(contact.S[a], contact.S_free[a]);
   }
 
 

@@ -51,10 +51,9 @@ namespace Signorini
   void
   GapOperator::set_temperature_change(const LA::Vector &temperature_change)
   {
-    if (S_thermal.m() == 0)
-      return;
-    thermal_stress = zero();
-    S_thermal.vmult(thermal_stress, temperature_change);
+    thermal_stress.assign(S_thermal.size(), zero());
+    for (unsigned int a = 0; a < S_thermal.size(); ++a)
+      S_thermal[a].vmult(thermal_stress[a], temperature_change);
   }
 
 
@@ -115,17 +114,20 @@ namespace Signorini
 
   // s = S u + s_0: s_0 has the thermal part, the part of loads and linearisation, and that of the
   // volumetric stress m.
-  LA::Vector
+  PointVectors
   GapOperator::stress(const LA::Vector &u, const LA::Vector &m) const
   {
-    LA::Vector s = zero();
-    if (has_stress() && !empty())
-      S.vmult(s, u);
-    for (const LA::Vector *fixed : {&thermal_stress, &fixed_stress})
-      if (fixed->size() > 0)
-        s += *fixed;
-    if (has_volumetric_stress())
-      S_volumetric.vmult_add(s, m);
+    PointVectors s = zeros();
+    for (unsigned int a = 0; a < S.size(); ++a)
+      {
+        if (!empty())
+          S[a].vmult(s[a], u);
+        for (const PointVectors *fixed : {&thermal_stress, &fixed_stress})
+          if (!fixed->empty())
+            s[a] += (*fixed)[a];
+        if (has_volumetric_stress())
+          S_volumetric[a].vmult_add(s[a], m);
+      }
     return s;
   }
 
@@ -134,7 +136,7 @@ namespace Signorini
   // sum_a B_a^T W t_a + theta S^T W E^-1 (s - p) (doc/theory, (4.1)), with the rows for free or for
   // all degrees of freedom.
   LA::Vector
-  GapOperator::transposed(const bool is_free, const PointVectors &p, const LA::Vector &s) const
+  GapOperator::transposed(const bool is_free, const PointVectors &p, const PointVectors &s) const
   {
     // Not the communicator of p: an empty vector may have been assigned without one.
     LA::Vector result(dofs, weight.get_mpi_communicator());
@@ -154,8 +156,11 @@ namespace Signorini
       }
     if (theta == 0)
       return result;
-    (is_free ? S_free : S).Tvmult(term, nitsche_residual(p[0], s));
-    result += term;
+    for (unsigned int a = 0; a < p.size(); ++a)
+      {
+        (is_free ? S_free : S)[a].Tvmult(term, nitsche_residual(p[a], s[a]));
+        result += term;
+      }
     return result;
   }
 
@@ -175,11 +180,12 @@ namespace Signorini
 
 
   LA::Vector
-  GapOperator::force_on_volumetric_stress(const PointVectors &p, const LA::Vector &s) const
+  GapOperator::force_on_volumetric_stress(const PointVectors &p, const PointVectors &s) const
   {
-    LA::Vector result(S_volumetric.locally_owned_domain_indices(), weight.get_mpi_communicator());
-    if (theta != 0)
-      S_volumetric.Tvmult(result, nitsche_residual(p[0], s));
+    LA::Vector result(S_volumetric[0].locally_owned_domain_indices(),
+                      weight.get_mpi_communicator());
+    for (unsigned int a = 0; a < p.size() && theta != 0; ++a)
+      S_volumetric[a].Tvmult_add(result, nitsche_residual(p[a], s[a]));
     return result;
   }
 
@@ -188,7 +194,7 @@ namespace Signorini
   // Forces for the residual of Newton's method: constrained degrees of freedom have none, and those
   // of inclined supports are handed to the components that they depend on.
   LA::Vector
-  GapOperator::force(const PointVectors &p, const LA::Vector &s) const
+  GapOperator::force(const PointVectors &p, const PointVectors &s) const
   {
     return transposed(true, p, s);
   }
@@ -198,7 +204,7 @@ namespace Signorini
   // Forces as they act on all nodes, from which reactions of supports and the resultants of pairs
   // are computed.
   LA::Vector
-  GapOperator::total_force(const PointVectors &p, const LA::Vector &s) const
+  GapOperator::total_force(const PointVectors &p, const PointVectors &s) const
   {
     return transposed(false, p, s);
   }
@@ -242,9 +248,9 @@ namespace Signorini
   GapOperator::memory_consumption() const
   {
     std::size_t                           bytes    = 0;
-    std::vector<const LA::SparseMatrix *> matrices = {
-      &B, &B_free, &S, &S_free, &S_thermal, &S_volumetric};
-    for (const auto *more : {&tangential.B, &tangential.B_free})
+    std::vector<const LA::SparseMatrix *> matrices = {&B, &B_free};
+    for (const auto *more :
+         {&tangential.B, &tangential.B_free, &S, &S_free, &S_thermal, &S_volumetric})
       for (const LA::SparseMatrix &matrix : *more)
         matrices.push_back(&matrix);
     // Matrices that the method does not need are empty and were never set up.

@@ -126,9 +126,10 @@ namespace Signorini
   /// is the diagonal matrix of the points' areas. Does not depend on the space dimension, so that
   /// solvers are compiled only once.
   ///
-  /// Nitsche's method also needs the normal stress s = S u + s_0 of the bodies at the points,
-  /// positive in compression, less the surface loads there, since sigma n = - p n + t. Its forces
-  /// are B^T W p + theta S^T W (s - p)/eps. s_0 collects surface loads, thermal strain and, at
+  /// Nitsche's method also needs the stress s = S u + s_0 of the bodies at the points, with the
+  /// components of the traction on the slave: the normal one, positive in compression, and the
+  /// tangential ones if the law depends on the slip, less the surface loads there. Its forces are
+  /// B^T W p + theta S^T W (s - p)/eps, summed over the components. s_0 collects surface loads, thermal strain and, at
   /// finite strain, the offset of the linearisation, S being the derivative of the stress. Bodies
   /// in displacement-pressure form add T m to s, with their volumetric stress m, and get the force
   /// theta T^T W (s - p)/eps on m.
@@ -139,14 +140,15 @@ namespace Signorini
     /// B for changes of free degrees of freedom: columns of prescribed ones are dropped, and those
     /// that inclined supports eliminate are added to the ones that determine them.
     LA::SparseMatrix B_free;
-    /// S and its columns for free degrees of freedom, with the same sparsity pattern as B; empty
-    /// unless the method uses the normal stress.
-    LA::SparseMatrix S, S_free;
-    LA::SparseMatrix S_thermal; ///< of s_0, by ThermalStrain::coefficients(); empty: none expands
-    LA::Vector thermal_stress;  ///< S_thermal times the present temperature changes; empty: zero
-    LA::Vector fixed_stress;    ///< the remaining part of s_0; empty: zero
-    LA::SparseMatrix
-           S_volumetric; ///< T, by VolumetricStress::coefficients(); empty: no body is mixed
+    /// S of each component, and its columns for free degrees of freedom, with the same sparsity
+    /// pattern as B; empty unless the method uses the stress.
+    std::vector<LA::SparseMatrix> S, S_free;
+    /// Of s_0, by ThermalStrain::coefficients(); empty: none expands.
+    std::vector<LA::SparseMatrix> S_thermal;
+    PointVectors thermal_stress; ///< S_thermal times the present temperature changes; empty: zero
+    PointVectors fixed_stress;   ///< the remaining part of s_0; empty: zero
+    /// T, by VolumetricStress::coefficients(); empty: no body is mixed.
+    std::vector<LA::SparseMatrix> S_volumetric;
     double theta = 0;    ///< 1, 0 or -1: variant of Nitsche's method; 0 for other methods
     bool   has_condensed_constraints =
       false; ///< B refers to components that supports tie to others, see B_free
@@ -177,7 +179,7 @@ namespace Signorini
     void
     set_start(const LA::Vector &u);
 
-    /// Set the thermal part of the normal stress. Collective.
+    /// Set the thermal part of the stress. Collective.
     /// @param temperature_change ThermalStrain::coefficients(); ignored without S_thermal
     void
     set_temperature_change(const LA::Vector &temperature_change);
@@ -190,26 +192,26 @@ namespace Signorini
     PointVectors
     gaps(const LA::Vector &u) const;
 
-    /// The normal stress of the bodies S u + s_0 + T m, positive in compression [force/length^2];
-    /// zero if no method needs it.
+    /// The stress of the bodies S u + s_0 + T m, its normal component positive in compression
+    /// [force/length^2]; zero if no method needs it.
     /// @param m VolumetricStress::coefficients(); ignored without T
-    LA::Vector
+    PointVectors
     stress(const LA::Vector &u, const LA::Vector &m = LA::Vector()) const;
 
     /// The contact forces of the tractions on free degrees of freedom, zero on all others.
     /// @param p normal pressure (positive in compression) and tangential tractions [force/length^2]
-    /// @param s normal stress; ignored if theta is 0
+    /// @param s stress; ignored if theta is 0
     LA::Vector
-    force(const PointVectors &p, const LA::Vector &s) const;
+    force(const PointVectors &p, const PointVectors &s) const;
 
     /// The contact forces on the volumetric stress, theta T^T W (s - p)/eps. Requires
     /// has_volumetric_stress().
     LA::Vector
-    force_on_volumetric_stress(const PointVectors &p, const LA::Vector &s) const;
+    force_on_volumetric_stress(const PointVectors &p, const PointVectors &s) const;
 
     /// The contact forces as of force(), on prescribed degrees of freedom too: for reactions.
     LA::Vector
-    total_force(const PointVectors &p, const LA::Vector &s) const;
+    total_force(const PointVectors &p, const PointVectors &s) const;
 
     /// dst += G (u - u_k): the change of the contact forces since the linearisation at u_k that B^T
     /// W p does not contain.
@@ -290,25 +292,25 @@ namespace Signorini
     bool
     has_stress() const
     {
-      return S.m() > 0;
+      return !S.empty();
     }
 
-    /// True if the normal stress depends on the volumetric stress of bodies in
+    /// True if the stress depends on the volumetric stress of bodies in
     /// displacement-pressure form.
     bool
     has_volumetric_stress() const
     {
-      return S_volumetric.m() > 0;
+      return !S_volumetric.empty();
     }
 
   private:
     /// The residual term of Nitsche's method to which S^T is applied: theta W (s - p)/eps.
-    /// @param p pressure @param s normal stress
+    /// @param p a component of the traction @param s that of the stress
     LA::Vector
     nitsche_residual(const LA::Vector &p, const LA::Vector &s) const;
     /// B^T W p + theta S^T W (s - p)/eps with the rows for free degrees of freedom, or for all.
     LA::Vector
-    transposed(bool is_free, const PointVectors &p, const LA::Vector &s) const;
+    transposed(bool is_free, const PointVectors &p, const PointVectors &s) const;
   };
 
   /// Assemble the gap operator. Collective.

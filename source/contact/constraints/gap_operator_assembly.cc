@@ -92,24 +92,23 @@ namespace Signorini
     /// Assemble B (doc/theory, (3.4)), the rows of the slip, and S of s = S u + s_0 for Nitsche's
     /// method, as sums over face matrices and still weighted by areas. Rows of another rank receive
     /// contributions; so this is collective. Cost: proportional to the number of contact points.
+    /// @param tangents null: the method does not use the slip
     template <int dim>
     void
     assemble_matrices(GapOperator                            &contact,
                       const ContactRows                      &rows,
                       const std::vector<ContactSurface<dim>> &surfaces,
                       const ContactMethod                    &method,
+                      const Tangents<dim>                    *tangents,
                       const Elasticity<dim>                  &elasticity)
     {
-      const MPI_Comm               comm = elasticity.mesh().communicator();
-      std::optional<Tangents<dim>> tangents;
-      if (method.uses_slip())
-        tangents.emplace(rows, surfaces, comm);
+      const MPI_Comm comm = elasticity.mesh().communicator();
       // One dense matrix for each slave face (or group of points with the same nodes): its rows and
       // columns define the pattern too.
       const std::vector<FaceMatrix> matrices = face_matrices(rows,
                                                              surfaces,
                                                              method.sampling(),
-                                                             tangents ? &*tangents : nullptr,
+                                                             tangents,
                                                              elasticity.has_inclined_supports());
       LA::SparsityPattern           pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
       for (const FaceMatrix &matrix : matrices)
@@ -129,10 +128,14 @@ namespace Signorini
       const bool are_shared =
         Utilities::MPI::max(have_coinciding_points(surfaces) ? 1 : 0, comm) > 0;
       contact.theta = are_shared ? 0. : method.theta();
-      contact.S.reinit(pattern);
+      for (unsigned int a = 0; a < contact.n_components(); ++a)
+        {
+          LA::SparseMatrix &S = contact.S.emplace_back();
+          S.reinit(pattern);
       for (const FaceMatrix &matrix : matrices)
-        contact.S.add(matrix.rows, matrix.columns, matrix.stress);
-      contact.S.compress(VectorOperation::add);
+            S.add(matrix.rows, matrix.columns, matrix.stress[a]);
+          S.compress(VectorOperation::add);
+        }
     }
 
     /// Sum up areas W (3.3), gaps, offsets, stiffness, penalty parameters and geometry of the rows
@@ -273,8 +276,8 @@ namespace Signorini
           LA::scale_rows(contact.tangential.B[a], inverse);
           contact.tangential.offset[a].scale(inverse);
         }
-      if (contact.has_stress())
-        LA::scale_rows(contact.S, inverse);
+      for (LA::SparseMatrix &S : contact.S)
+        LA::scale_rows(S, inverse);
     }
   } // namespace
 
@@ -299,7 +302,11 @@ namespace Signorini
     contact.origin.readable = rows.writable;
     contact.origin.regions  = ContactRegions(elasticity, surfaces, rows, method.sampling());
     // Sums over points, then means.
-    assemble_matrices(contact, rows, surfaces, method, elasticity);
+    std::optional<Tangents<dim>> along;
+    if (method.uses_slip())
+      along.emplace(rows, surfaces, comm);
+    const Tangents<dim> *const tangents = along ? &*along : nullptr;
+    assemble_matrices(contact, rows, surfaces, method, tangents, elasticity);
     assemble_vectors(contact,
                      rows,
                      surfaces,
@@ -309,7 +316,7 @@ namespace Signorini
                      comm);
     normalise(contact);
     if (contact.has_stress())
-      assemble_field_stress(elasticity, rows, surfaces, contact);
+      assemble_field_stress(elasticity, rows, surfaces, tangents, contact);
     // Points of pairs without separation are active whatever the sign of their pressure.
     auto pair = rows.pair.begin();
     for (const auto i : rows.owned)
@@ -337,17 +344,16 @@ namespace Signorini
     // removed.
     contact.B_free.copy_from(contact.B);
     LA::scale_columns(contact.B_free, free);
-    for (const LA::SparseMatrix &B : contact.tangential.B)
-      {
-        contact.tangential.B_free.emplace_back();
-        contact.tangential.B_free.back().copy_from(B);
-        LA::scale_columns(contact.tangential.B_free.back(), free);
-      }
-    if (contact.has_stress())
-      {
-        contact.S_free.copy_from(contact.S);
-        LA::scale_columns(contact.S_free, free);
-      }
+    const auto free_columns = [&](const std::vector<LA::SparseMatrix> &from,
+                                  std::vector<LA::SparseMatrix>       &to) {
+      for (const LA::SparseMatrix &matrix : from)
+        {
+          to.emplace_back().copy_from(matrix);
+          LA::scale_columns(to.back(), free);
+        }
+    };
+    free_columns(contact.tangential.B, contact.tangential.B_free);
+    free_columns(contact.S, contact.S_free);
     // Overlaps count in full until the load step sets other shares.
     contact.set_interference(std::vector<double>(surfaces.size(), 1.));
     contact.has_condensed_constraints = elasticity.has_inclined_supports();

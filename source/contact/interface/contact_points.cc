@@ -83,71 +83,49 @@ namespace Signorini
       return point;
     }
 
-    /// Set the rows of the normal stress, the mean of both bodies' stresses whose bound is the
-    /// smallest: each is weighted with the inverse of its bound (doc/theory, (2.13)), so that a
-    /// stiff body has no influence beside a soft one, whichever is the slave. The weight of the
-    /// slave is 1 against a rigid obstacle and in the unbiased form.
+    /// Set the stress to the mean of both bodies' stresses whose bound is the smallest: each is
+    /// weighted with the inverse of its bound (doc/theory, (2.13)), so that a stiff body has no
+    /// influence beside a soft one, whichever is the slave. The weight of the slave is 1 against a
+    /// rigid obstacle and in the unbiased form.
+    ///
+    /// At finite strain (6.13) it is multiplied by the area ratio j of the slave, since contact
+    /// pressures act on reference areas. Its linearisation is j ds + s dj (6.14); the offset makes
+    /// it exact at the present displacement.
     template <int dim>
     void
-    set_stress(const SparseRow             &own,
-               const SparseRow             &own_thermal,
-               const SparseRow             &own_volumetric,
+    set_stress(const BodyStress            &own,
                const double                 own_bound,
                const MasterProjection<dim> &master_point,
                const bool                   own_alone,
                ContactPoint<dim>           &point)
     {
-      const double share = own_alone || std::isinf(master_point.bound) ?
-                             1. :
-                             master_point.bound / (own_bound + master_point.bound);
-      const auto   mean  = [share](const SparseRow &own, const SparseRow &other) {
-        SparseRow row;
-        for (const auto &[index, value] : own)
-          row.emplace_back(index, share * value);
-        if (share < 1)
-          for (const auto &[index, value] : other)
-            row.emplace_back(index, (1 - share) * value);
-        sum_duplicates(row);
-        return row;
-      };
-      point.stress            = mean(own, master_point.stress);
-      point.thermal_stress    = mean(own_thermal, master_point.thermal_stress);
-      point.volumetric_stress = mean(own_volumetric, master_point.volumetric_stress);
-      point.bound             = share * own_bound;
-    }
-
-    /// Set the normal stress at finite strain (doc/theory, (6.13)): the weighted mean of the Cauchy
-    /// stresses, multiplied by the area ratio j of the slave, since contact pressures act on
-    /// reference areas. Its linearisation is j ds + s dj (6.14); the offset makes it exact at the
-    /// present displacement.
-    template <int dim>
-    void
-    set_cauchy_stress(const CauchyStress          &own,
-                      const double                 own_bound,
-                      const MasterProjection<dim> &master_point,
-                      const bool                   own_alone,
-                      ContactPoint<dim>           &point)
-    {
-      set_stress(own.stress,
-                 {},
-                 own.volumetric_stress,
-                 own.stiffening * own_bound,
-                 master_point,
-                 own_alone,
-                 point);
-      const double share = point.bound / (own.stiffening * own_bound),
-                   value = share * own.value + (1 - share) * master_point.stress_value;
-      // j times the derivative of the stress ...
-      for (SparseRow *row : {&point.stress, &point.volumetric_stress})
-        for (auto &entry : *row)
-          entry.second *= own.ratio;
-      // ... plus the stress times the derivative of j.
-      for (const auto &[index, entry] : own.ratio_row)
-        point.stress.emplace_back(index, value * entry);
-      sum_duplicates(point.stress);
-      point.stress_offset =
-        own.ratio * (share * own.offset + (1 - share) * master_point.stress_offset) +
-        value * (own.ratio_offset - own.ratio);
+      const double    bound = own.stiffening * own_bound;
+      const double    share = own_alone || std::isinf(master_point.bound) ?
+                                1. :
+                                master_point.bound / (bound + master_point.bound);
+      const StressRow none;
+      point.bound = share * bound;
+      for (unsigned int a = 0; a < own.components.size(); ++a)
+        {
+          const StressRow &of_slave  = own.components[a],
+                          &of_master = share < 1 ? master_point.stress[a] : none;
+          StressRow       &mean      = point.stress.emplace_back();
+          for (const auto part : {&StressRow::displacement, &StressRow::thermal, &StressRow::volumetric})
+            {
+              for (const auto &[index, value] : of_slave.*part)
+                (mean.*part).emplace_back(index, share * value * own.ratio);
+              for (const auto &[index, value] : of_master.*part)
+                (mean.*part).emplace_back(index, (1 - share) * value * own.ratio);
+            }
+          mean.value = share * of_slave.value + (1 - share) * of_master.value;
+          // The stress times the derivative of j.
+          for (const auto &[index, entry] : own.ratio_row)
+            mean.displacement.emplace_back(index, mean.value * entry);
+          for (SparseRow *row : {&mean.displacement, &mean.thermal, &mean.volumetric})
+            sum_duplicates(*row);
+          mean.offset = own.ratio * (share * of_slave.offset + (1 - share) * of_master.offset) +
+                        mean.value * (own.ratio_offset - own.ratio);
+        }
     }
 
     /// The current area per reference area at a point of the slave, the ratio of the Jacobians of
@@ -243,7 +221,7 @@ namespace Signorini
     double                face_depth = 0, face_stiffness = 0;
     Trace<dim>            trace(elasticity);
     const bool            with_stress = method.pressure_shift() == PressureShift::normal_stress;
-    StressBounds<dim>     bound(slave);
+    StressBounds<dim>     bound(slave, method.uses_slip());
     const InitialGap<dim> initial_gap(pair);
     std::optional<NormalStress<dim>> of_body;
     std::optional<SurfaceLoads<dim>> loads;
@@ -296,30 +274,15 @@ namespace Signorini
         NormalStress<dim> &stress = *of_body;
         if (is_new)
           stress.reinit(cell);
-        const Point<dim>     place = unit_point<dim>(face, paired.xi);
-        const Tensor<1, dim> n     = rest.normal(paired.xi);
-        const auto           load  = loads->at(cell->face(face)->boundary_id(), point.position);
-        if (elasticity.is_finite_strain())
-          {
-            set_cauchy_stress(stress.cauchy(place, paired.master_point.normal, n, load),
-                              bound(stress, paired.face),
-                              paired.master_point,
-                              method.unbiased(),
-                              point);
-            continue;
-          }
-        set_stress(stress.row(place, paired.master_point.normal, n),
-                   stress.thermal_row(place, paired.master_point.normal, n),
-                   stress.volumetric_row(place, paired.master_point.normal, n),
+        const auto load = loads->at(cell->face(face)->boundary_id(), point.position);
+        set_stress(stress.at(unit_point<dim>(face, paired.xi),
+                             stress_directions(paired.master_point.normal, method.uses_slip()),
+                             rest.normal(paired.xi),
+                             load),
                    bound(stress, paired.face),
                    paired.master_point,
                    method.unbiased(),
                    point);
-        // Contact carries the part of sigma n that surface loads do not: the loads of both sides
-        // are subtracted with the weights of the mean.
-        const double share  = point.bound / bound(stress, paired.face);
-        point.stress_offset = -share * (paired.master_point.normal * load.on(n)) +
-                              (1 - share) * paired.master_point.stress_offset;
       }
     return result;
   }

@@ -2,6 +2,7 @@
 #include "contact/constraints/gap_second_variation.h"
 #include "contact/interface/surface_steps.h"
 #include "contact/traction/stress_bounds.h"
+#include <signorini/contact/methods/method.h>
 
 #include <memory>
 
@@ -12,8 +13,8 @@ namespace Signorini
   namespace
   {
     /// Completes projections on the faces of a body by what depends on the cell behind: shape
-    /// functions, stiffness E/h, reference position, second variation of the gap, and the normal
-    /// stress with its bound. Keeps a copy of the faces; state of the last cell is reused for the
+    /// functions, stiffness E/h, reference position, second variation of the gap, and the stress
+    /// with its bound. Keeps a copy of the faces; state of the last cell is reused for the
     /// next point.
     template <int dim>
     class BodyBehind
@@ -21,17 +22,19 @@ namespace Signorini
     public:
       BodyBehind(const Configuration<dim> &configuration,
                  const BoundaryFaces<dim> &boundary,
-                 const bool                with_stress)
+                 const ContactMethod      &method)
         : boundary(boundary)
         , trace(configuration.elasticity())
-        , stress(with_stress ? std::make_shared<NormalStress<dim>>(configuration) : nullptr)
-        , loads(with_stress ?
-                  std::make_shared<SurfaceLoads<dim>>(surface_loads(configuration.elasticity())) :
-                  nullptr)
-        , bound(boundary)
-        , is_finite_strain(configuration.elasticity().is_finite_strain())
+        , with_slip(method.uses_slip())
+        , bound(boundary, with_slip)
         , with_second_variation(!configuration.is_reference())
       {
+        if (method.pressure_shift() == PressureShift::normal_stress)
+          {
+            stress = std::make_shared<NormalStress<dim>>(configuration);
+            loads =
+              std::make_shared<SurfaceLoads<dim>>(surface_loads(configuration.elasticity()));
+          }
         const Elasticity<dim> &elasticity = configuration.elasticity();
         for (unsigned int i = 0; i < boundary.faces.size(); ++i)
           {
@@ -62,37 +65,27 @@ namespace Signorini
             second_variation_of_master(boundary.patches[i], xi, master_point.normal);
         if (!stress)
           return;
-        // The contact normal points out of the master, so that the stress of the master, positive
-        // in compression, is -n . sigma N (doc/theory, (2.12)).
+        // The traction on the slave is the reaction, along n it is -n . sigma N (doc/theory,
+        // (2.12)).
         stress->reinit(cell);
-        const Point<dim>      place   = unit_point<dim>(face, xi);
-        const Tensor<1, dim> &n       = master_point.normal;
-        const Tensor<1, dim>  at_rest = boundary.rest[i].normal(xi);
-        const auto            load = loads->at(cell->face(face)->boundary_id(), master_point.rest);
-        master_point.bound         = bound(*stress, i);
-        if (is_finite_strain)
-          {
-            CauchyStress now               = stress->cauchy(place, -n, at_rest, load);
-            master_point.stress            = std::move(now.stress);
-            master_point.volumetric_stress = std::move(now.volumetric_stress);
-            master_point.stress_value      = now.value;
-            master_point.stress_offset     = now.offset;
-            master_point.bound *= now.stiffening;
-            return;
-          }
-        master_point.stress            = stress->row(place, -n, at_rest);
-        master_point.thermal_stress    = stress->thermal_row(place, -n, at_rest);
-        master_point.volumetric_stress = stress->volumetric_row(place, -n, at_rest);
-        master_point.stress_offset     = n * load.on(at_rest);
+        auto directions = stress_directions(master_point.normal, with_slip);
+        for (Tensor<1, dim> &direction : directions)
+          direction *= -1;
+        const auto load = loads->at(cell->face(face)->boundary_id(), master_point.rest);
+        BodyStress now =
+          stress->at(unit_point<dim>(face, xi), directions, boundary.rest[i].normal(xi), load);
+        master_point.stress = std::move(now.components);
+        master_point.bound  = bound(*stress, i) * now.stiffening;
       }
 
     private:
       const BoundaryFaces<dim>           boundary;
       Trace<dim>                         trace;
-      std::shared_ptr<NormalStress<dim>> stress;
+      std::shared_ptr<NormalStress<dim>> stress; ///< null: not used
       std::shared_ptr<SurfaceLoads<dim>> loads;
+      const bool                         with_slip;
       StressBounds<dim>                  bound;
-      const bool                         is_finite_strain, with_second_variation;
+      const bool                         with_second_variation;
       std::vector<double>                stiffnesses, moduli, sizes;
     };
   } // namespace
@@ -103,15 +96,15 @@ namespace Signorini
   MasterFaces<dim>
   master_faces(const Configuration<dim> &configuration,
                const BoundaryFaces<dim> &boundary,
-               const bool                with_stress)
+               const ContactMethod      &method)
   {
-    return {boundary.patches, BodyBehind<dim>(configuration, boundary, with_stress)};
+    return {boundary.patches, BodyBehind<dim>(configuration, boundary, method)};
   }
 
 
 
   template MasterFaces<2>
-  master_faces(const Configuration<2> &, const BoundaryFaces<2> &, bool);
+  master_faces(const Configuration<2> &, const BoundaryFaces<2> &, const ContactMethod &);
   template MasterFaces<3>
-  master_faces(const Configuration<3> &, const BoundaryFaces<3> &, bool);
+  master_faces(const Configuration<3> &, const BoundaryFaces<3> &, const ContactMethod &);
 } // namespace Signorini

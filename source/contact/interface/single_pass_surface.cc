@@ -54,7 +54,7 @@ namespace Signorini
     check_stresses(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
     {
       const bool bad = std::any_of(points.begin(), points.end(), [](const auto &point) {
-        return std::isnan(point.stress_offset);
+        return !point.stress.empty() && std::isnan(point.stress[0].offset);
       });
       if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
         throw SolverFailure("cells at a contact surface are inverted; use smaller load steps");
@@ -221,10 +221,7 @@ namespace Signorini
       {
         const BoundaryFaces<dim> boundary =
           self ? self->masters(slave) : BoundaryFaces<dim>(configuration, pair.master);
-        MasterFaces<dim> faces =
-          master_faces(configuration,
-                       boundary,
-                       method.pressure_shift() == PressureShift::normal_stress);
+        MasterFaces<dim> faces = master_faces(configuration, boundary, method);
         if (!at_rest && !has_fixed_points && integration.rule == Rule::segments)
           faces.inner_sides = inner_sides(elasticity.mesh(), pair.master, boundary);
         if (self)

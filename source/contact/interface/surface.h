@@ -65,19 +65,11 @@ namespace Signorini
     unsigned int           face; ///< number of the slave face on this rank
     dealii::Point<dim - 1> xi;   ///< parameters of the point on the slave face, in [0,1]
 
-    // For methods that predict the pressure by the stress of the bodies:
-    /// Weighted normal stress of both bodies per reference area, positive in compression.
-    SparseRow stress;
-    /// The part of the normal stress due to temperature changes, over
-    /// ThermalStrain::coefficients().
-    SparseRow thermal_stress;
-    /// The part of the normal stress due to the volumetric stress, over
-    /// VolumetricStress::coefficients().
-    SparseRow volumetric_stress;
-    /// The part of the normal stress that depends on no unknown: surface loads, and the offset of
-    /// the linearisation at finite strain.
-    double stress_offset = 0;
-    /// Bound of the square of the normal stress by the strain energy of the cells [force/length^3].
+    // For methods that predict the traction by the stress of the bodies:
+    /// Weighted means of both bodies' stresses per reference area: normal (positive in
+    /// compression), and along vectors_across(direction) if the method uses the slip.
+    std::vector<StressRow> stress;
+    /// Bound of the square of the stress by the strain energy of the cells [force/length^3].
     double bound = 0;
 
     GapSecondVariation<dim> second_variation; ///< set in displaced configurations only

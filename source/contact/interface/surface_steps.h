@@ -52,12 +52,12 @@ namespace Signorini
   /// The master side of a pair: its faces, and a function that completes a projection by what
   /// depends on the body: shape functions, stiffness, and in displaced configurations the second
   /// variation of the gap (without its factors).
-  /// @param with_stress also the normal stress, for Nitsche's method
+  /// @param method also the stress, for Nitsche's method
   template <int dim>
   MasterFaces<dim>
   master_faces(const Configuration<dim> &configuration,
                const BoundaryFaces<dim> &boundary,
-               bool                      with_stress);
+               const ContactMethod      &method);
 
   /// Project the quadrature points of slave faces onto a rigid obstacle. That needs no mesh, no
   /// search and no segments.

@@ -54,7 +54,7 @@ namespace Signorini
   };
 
   /// The inputs of a law at all points; refers to the vectors. Each has one vector for each
-  /// component, see PointVectors; the stress may have the normal one alone.
+  /// component, see PointVectors.
   struct LawInputs
   {
     const PointVectors   &gap, &stress, &traction;

@@ -7,6 +7,8 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 
+#include <boost/serialization/vector.hpp>
+
 #include <array>
 #include <utility>
 #include <vector>
@@ -98,8 +100,30 @@ namespace Signorini
     }
   };
 
+  /// A component of the traction that the stress of a body exerts on the slave at a contact point,
+  /// along a unit vector: stress = displacement.u + thermal.T + volumetric.m + offset.
+  struct StressRow
+  {
+    SparseRow displacement; ///< by degrees of freedom, hanging nodes condensed
+    SparseRow thermal;      ///< of temperature changes, over ThermalStrain::coefficients()
+    SparseRow volumetric;   ///< of the volumetric stress, over VolumetricStress::coefficients()
+    /// Part that depends on no unknown: surface loads, which contact does not carry, and at finite
+    /// strain the offset of the linearisation [force/length^2].
+    double offset = 0;
+    double value  = 0; ///< finite strain: the present Cauchy stress [force/length^2]
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      for (SparseRow *row : {&displacement, &thermal, &volumetric})
+        serialize_bytes(ar, *row);
+      ar &offset &value;
+    }
+  };
+
   /// The projection of a slave point onto the master: the closest point, with the shape functions
-  /// and the normal stress of the master there.
+  /// and the stress of the master there.
   template <int dim>
   struct MasterProjection : public MasterPoint<dim>
   {
@@ -110,18 +134,9 @@ namespace Signorini
     /// The displacement of an obstacle at the point, component by component, by its rigid-body
     /// degrees of freedom; set if the method uses the slip.
     std::array<SparseRow, dim> rigid_motion;
-    /// Row of the normal stress of the master at the point, positive in compression, hanging nodes
-    /// condensed; for Nitsche's method only.
-    SparseRow stress;
-    /// Row of the part of the normal stress that depends on temperature changes, over
-    /// ThermalStrain::coefficients().
-    SparseRow thermal_stress;
-    /// Row of the part that depends on the volumetric stress, over
-    /// VolumetricStress::coefficients().
-    SparseRow volumetric_stress;
-    /// Constant part of the normal stress, with surface loads [force/length^2].
-    double stress_offset = 0;
-    double stress_value  = 0; ///< finite strain: present Cauchy normal stress [force/length^2]
+    /// Components of the master's stress, for Nitsche's method only: normal (positive in
+    /// compression), and along vectors_across(normal) if the method uses the slip.
+    std::vector<StressRow>  stress;
     GapSecondVariation<dim> second_variation; ///< where surfaces have moved; its factors not yet,
                                               ///< see second_variation_of_bodies()
 
@@ -132,10 +147,7 @@ namespace Signorini
       serialize_bytes(ar, static_cast<MasterPoint<dim> &>(*this));
       serialize_bytes(ar, functions);
       serialize_bytes(ar, rigid);
-      serialize_bytes(ar, stress);
-      serialize_bytes(ar, thermal_stress);
-      serialize_bytes(ar, volumetric_stress);
-      ar &stress_value &stress_offset &second_variation;
+      ar &stress &second_variation;
     }
   };
 } // namespace Signorini

@@ -78,9 +78,31 @@ namespace Signorini
         }
     }
 
+    /// Add the rows of the stress at point q of a surface, as of add_slip().
+    template <int dim>
+    void
+    add_stress(const ContactSurface<dim>       &surface,
+               const unsigned int               q,
+               const Tangents<dim>             *tangents,
+               const std::vector<Share>        &shares,
+               const std::vector<unsigned int> &rows,
+               FaceMatrix                      &matrix)
+    {
+      for (unsigned int i = 0; i < shares.size(); ++i)
+        for_each_stress(surface,
+                        q,
+                        tangents,
+                        shares[i].row,
+                        [&](const unsigned int a, const StressRow &row, const double factor) {
+                          for (const auto &[column, value] : row.displacement)
+                            matrix.stress[a](rows[i], position_in(matrix.columns, column)) +=
+                              shares[i].weight * factor * value;
+                        });
+    }
+
     /// The dense matrices of the points first to last - 1 of a surface, which are on one slave
-    /// face: for each row and column the sum of share times entry, of displacement, normal stress
-    /// and slip. Not collective.
+    /// face: for each row and column the sum of share times entry, of displacement, stress and
+    /// slip. Not collective.
     template <int dim>
     FaceMatrix
     face_matrix(const ContactSurface<dim>             &surface,
@@ -104,8 +126,10 @@ namespace Signorini
                 for (unsigned int d = 0; d < dim; ++d)
                   if (components[d])
                     matrix.columns.push_back(function.node + d);
-          for (const auto *entries : {&point.rigid, &point.stress})
-            for (const auto &entry : *entries)
+          for (const auto &entry : point.rigid)
+            matrix.columns.push_back(entry.first);
+          for (const StressRow &component : point.stress)
+            for (const auto &entry : component.displacement)
               matrix.columns.push_back(entry.first);
           if (tangents)
             for (const SparseRow &component : surface.frames[q].rigid_motion)
@@ -116,10 +140,9 @@ namespace Signorini
       sort_and_remove_duplicates(matrix.columns);
       // Either all points of a surface have rows of the stress, or none has: it depends on the
       // method.
-      const bool with_stress = !surface.points[first].stress.empty();
       matrix.displacement.reinit(matrix.rows.size(), matrix.columns.size());
-      if (with_stress)
-        matrix.stress.reinit(matrix.rows.size(), matrix.columns.size());
+      matrix.stress.assign(surface.points[first].stress.size(),
+                           FullMatrix<double>(matrix.rows.size(), matrix.columns.size()));
       if (tangents)
         matrix.slip.assign(dim - 1, FullMatrix<double>(matrix.rows.size(), matrix.columns.size()));
       std::vector<unsigned int> rows;
@@ -136,8 +159,7 @@ namespace Signorini
             };
           };
           for_each_entry(surface.points[q], components, add_to(matrix.displacement));
-          for (const auto &[column, value] : surface.points[q].stress)
-            add_to(matrix.stress)(column, value);
+          add_stress(surface, q, tangents, shares[q], rows, matrix);
           if (tangents)
             add_slip(surface.points[q], surface.frames[q], *tangents, shares[q], rows, matrix);
         }

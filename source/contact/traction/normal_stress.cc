@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Signorini
 {
@@ -208,13 +209,35 @@ namespace Signorini
 
 
 
+  // Contact carries the part of sigma N that surface loads do not: they are subtracted.
+  template <int dim>
+  BodyStress
+  NormalStress<dim>::at(const Point<dim>                  &unit_point,
+                        const std::vector<Tensor<1, dim>> &directions,
+                        const Tensor<1, dim>              &N,
+                        const SurfaceLoad<dim>            &load) const
+  {
+    if (elasticity.is_finite_strain())
+      return cauchy(unit_point, directions, N, load);
+    BodyStress result;
+    for (const Tensor<1, dim> &n : directions)
+      result.components.push_back({row(unit_point, n, N),
+                                   thermal_row(unit_point, n, N),
+                                   volumetric_row(unit_point, n, N),
+                                   -(n * load.on(N)),
+                                   0.});
+    return result;
+  }
+
+
+
   // Cauchy stress of a point with its linearisation at fixed n (doc/theory, (6.13), (6.14)).
   template <int dim>
-  CauchyStress
-  NormalStress<dim>::cauchy(const Point<dim>       &unit_x,
-                            const Tensor<1, dim>   &n_there,
-                            const Tensor<1, dim>   &N_at_rest,
-                            const SurfaceLoad<dim> &load) const
+  BodyStress
+  NormalStress<dim>::cauchy(const Point<dim>                  &unit_x,
+                            const std::vector<Tensor<1, dim>> &directions,
+                            const Tensor<1, dim>              &N_at_rest,
+                            const SurfaceLoad<dim>            &load) const
   {
     const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
     const auto                  &fe         = cell->get_fe();
@@ -232,61 +255,65 @@ namespace Signorini
         value[d] += u[i] * fe.base_element(0).shape_value(node, unit_x);
         gradient[d] += u[i] * slope;
       }
-    const Tensor<1, 3> n = in_space(n_there), N = in_space(N_at_rest);
+    const Tensor<1, 3> N = in_space(N_at_rest);
     Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, value, X);
     // In plane stress, of lengths in the plane: both bodies share these, not their thickness.
     const Tensor<2, 3>  in_plane = F;
     std::vector<double> internal;
     const MaterialPoint point = elasticity.material_point(*cell, X, internal);
     const auto          found = response_if_any(elasticity.model(), point, F);
-    CauchyStress        result;
+    BodyStress          result;
+    result.components.resize(directions.size());
     // An inverted cell has no stress; NaN is reported by the caller on all ranks.
     if (!found)
       {
-        result.value = result.offset = std::nan("");
+        for (StressRow &component : result.components)
+          component.value = component.offset = std::nan("");
         return result;
       }
     // Cofactor J F^-T N: its length is the area ratio j, its direction the current normal m_c.
     const ConstitutiveResponse &state         = *found;
-    const Tensor<2, 3>          inverse       = invert(in_plane);
-    const Tensor<1, 3>          cofactor      = determinant(in_plane) * (transpose(inverse) * N);
-    const double                j             = cofactor.norm();
-    const double                of_volumetric = n * (transpose(inverse) * N) / j;
-    const Tensor<1, 3>          now           = cofactor / j;
+    const Tensor<2, 3>          inverse  = invert(in_plane);
+    const Tensor<1, 3>          cofactor = determinant(in_plane) * (transpose(inverse) * N);
+    const double                j        = cofactor.norm();
+    const Tensor<1, 3>          now      = cofactor / j;
     // Derivatives as tensors V with d(.) = V : dF: of j, and of the force n . (P N) + p n . (j
     // m_c).
     // dj = j (F^-T - m_c (x) F^-1 m_c) : dF, the derivative of the length of the cofactor (Nanson's
     // formula); the load term is the derivative of p j m_c . n.
     const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
     const double       p        = load.pressure;
-    const Tensor<2, 3> of_force =
-      derivative(state, F, n, N) +
-      p * j * ((n * now) * transpose(inverse) - outer_product(now, inverse * n));
-
-    // Value, and the rows of the quotient force/j.
-    result.ratio = j;
-    result.value =
-      n * (F * (Tensor<2, 3>(state.stress) * N) - in_space(load.traction)) / j + p * (n * now);
-    const std::vector<double> ratio = product_with_gradient(of_ratio, unit_x),
-                              stress =
-                                product_with_gradient(of_force / j - (result.value / j) * of_ratio,
-                                                      unit_x);
-    result.ratio_row = resolved(ratio);
-    result.stress    = resolved(stress);
-    if (volumetric.is_on(*cell))
+    // The offsets are such that value = row . u + volumetric part + offset at the present
+    // displacement.
+    const auto product = [&](const std::vector<double> &row) {
+      return std::inner_product(row.begin(), row.end(), u.begin(), 0.);
+    };
+    const std::vector<double> ratio = product_with_gradient(of_ratio, unit_x);
+    result.ratio                    = j;
+    result.ratio_row                = resolved(ratio);
+    result.ratio_offset             = j - product(ratio);
+    for (unsigned int a = 0; a < directions.size(); ++a)
       {
+        // Value, and the rows of the quotient force/j.
+        StressRow         &component     = result.components[a];
+        const Tensor<1, 3> n             = in_space(directions[a]);
+        const double       of_volumetric = n * (transpose(inverse) * N) / j;
+        const Tensor<2, 3> of_force =
+          derivative(state, F, n, N) +
+          p * j * ((n * now) * transpose(inverse) - outer_product(now, inverse * n));
+        component.value =
+          n * (F * (Tensor<2, 3>(state.stress) * N) - in_space(load.traction)) / j + p * (n * now);
+        const std::vector<double> row =
+          product_with_gradient(of_force / j - (component.value / j) * of_ratio, unit_x);
+        component.displacement = resolved(row);
+        component.offset =
+          component.value - point.volumetric_stress * of_volumetric - product(row);
+        if (!volumetric.is_on(*cell))
+          continue;
         const auto  phi    = volumetric.functions(*cell, X);
         const auto &number = volumetric.indices(*cell);
         for (unsigned int i = 0; i < phi.size(); ++i)
-          result.volumetric_stress.emplace_back(number[i], phi[i] * of_volumetric);
-      }
-    // Offsets, such that value = row . u + volumetric part + offset at the present displacement.
-    result.offset       = result.value - point.volumetric_stress * of_volumetric;
-    result.ratio_offset = j;
-    for (unsigned int i = 0; i < u.size(); ++i)
-      {
-        result.offset -= stress[i] * u[i];
-        result.ratio_offset -= ratio[i] * u[i];
+          component.volumetric.emplace_back(number[i], phi[i] * of_volumetric);
       }
     // Ratio by which the tangent stiffens the bound (6.15).
     const Material &material = elasticity.material(cell->material_id());

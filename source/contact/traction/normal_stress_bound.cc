@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bound of the normal stress by the strain energy of a cell.
+// The bound of the stress on a face by the strain energy of a cell.
 #include "contact/search/face_patch.h"
 #include "contact/traction/normal_stress.h"
 #include "linear_algebra/dense.h"
@@ -43,12 +43,12 @@ namespace Signorini
 
 
   // Largest eigenvalue of the generalised problem S^T S v = b K v on the cell behind the face
-  // (doc/theory, (2.17)), with the normal stresses S at Gauss points of the face, weighted with the
-  // roots of areas. With K = V diag(k) V^T it is that of (S V k^-1/2)^T (S V k^-1/2). O(n^3) with n
+  // (doc/theory, (2.17)), with the stresses S at Gauss points of the face, weighted with the roots
+  // of areas. With K = V diag(k) V^T it is that of (S V k^-1/2)^T (S V k^-1/2). O(n^3) with n
   // degrees of freedom of a cell; StressBounds keeps the results.
   template <int dim>
   double
-  NormalStress<dim>::bound(const unsigned int face)
+  NormalStress<dim>::bound(const unsigned int face, const bool with_slip)
   {
     const unsigned int n = indices.size();
     // The stiffness of the cell at small strain: its quadratic form is twice the energy of a
@@ -62,16 +62,21 @@ namespace Signorini
 
     const QGauss<dim - 1> rule(cell->get_fe().degree + 2);
     const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
-    Eigen::MatrixXd       stress(rule.size(), n); // times the square roots of the areas
+    const unsigned int    n_components = with_slip ? dim : 1;
+    Eigen::MatrixXd stress(n_components * rule.size(), n); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
-        const Tensor<1, dim>      normal = patch.normal(rule.point(q));
-        const std::vector<double> row =
-          coefficients(unit_point<dim>(face, rule.point(q)), normal, normal);
+        const Tensor<1, dim> normal = patch.normal(rule.point(q));
+        const auto           directions = stress_directions(normal, with_slip);
         const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
                                       measure(elasticity.model(), patch.position(rule.point(q))));
-        for (unsigned int i = 0; i < n; ++i)
-          stress(q, i) = root * row[i];
+        for (unsigned int a = 0; a < n_components; ++a)
+          {
+            const std::vector<double> row =
+              coefficients(unit_point<dim>(face, rule.point(q)), directions[a], normal);
+            for (unsigned int i = 0; i < n; ++i)
+              stress(q * n_components + a, i) = root * row[i];
+          }
       }
 
     // Rigid-body modes, on which both sides vanish, are left out.
@@ -90,7 +95,7 @@ namespace Signorini
 
 
   template double
-  NormalStress<2>::bound(unsigned int);
+  NormalStress<2>::bound(unsigned int, bool);
   template double
-  NormalStress<3>::bound(unsigned int);
+  NormalStress<3>::bound(unsigned int, bool);
 } // namespace Signorini

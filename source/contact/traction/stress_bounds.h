@@ -9,15 +9,17 @@
 
 namespace Signorini
 {
-  /// Bounds of the normal stress on faces, see NormalStress::bound(), computed on demand and
+  /// Bounds of the stress on faces, see NormalStress::bound(), computed on demand and
   /// stored. They are multiplied by the number of faces of the boundary that a cell has, since
   /// these share its strain energy (doc/theory, 2.7).
   template <int dim>
   class StressBounds
   {
   public:
-    StressBounds(const BoundaryFaces<dim> &boundary)
+    /// @param with_slip see NormalStress::bound()
+    StressBounds(const BoundaryFaces<dim> &boundary, const bool with_slip)
       : faces(boundary.faces)
+      , with_slip(with_slip)
       , bounds(faces.size(), -1.)
     {}
 
@@ -26,7 +28,7 @@ namespace Signorini
     operator()(NormalStress<dim> &stress, const unsigned int i)
     {
       if (bounds[i] < 0)
-        bounds[i] = stress.bound(faces[i].second) * faces_of_cell(i);
+        bounds[i] = stress.bound(faces[i].second, with_slip) * faces_of_cell(i);
       return bounds[i];
     }
 
@@ -44,6 +46,7 @@ namespace Signorini
     }
 
     const std::vector<std::pair<CellIterator<dim>, unsigned int>> faces;
+    const bool                                                    with_slip;
     std::vector<double>                                           bounds;
   };
 } // namespace Signorini
