@@ -72,6 +72,12 @@ namespace Signorini
     /// @param may_be_halved whether it is longer than the shortest one
     bool
     solve_step(double t, double tolerance, bool may_be_halved);
+    /// Solve a load step with friction, divided where surfaces first meet.
+    bool
+    solve_from_touch(double t, double tolerance);
+    /// True if load steps are chosen for the accuracy of the path.
+    bool
+    controls_path() const;
     /// Write the results of a load step.
     void
     record_step(unsigned int step);

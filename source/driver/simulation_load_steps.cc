@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The load history of a run: estimates on coarse meshes, and load steps on the last one.
 #include "driver/simulation.h"
-#include "fields/friction_fields.h"
 #include "output/accuracy_results.h"
 #include <signorini/base/text.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -146,59 +144,6 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    /// @return whether load steps are chosen for the accuracy of the path.
-    template <int dim>
-    bool
-    controls_path(const Scene<dim> &scene)
-    {
-      return scene.load_steps.is_automatic && scene.contact.chosen().has_friction;
-    }
-  } // namespace
-
-
-
-  // The tractions after one load step are compared with those after two of half the length, which
-  // are kept. Without tangential tractions there is no path.
-  template <int dim>
-  bool
-  Simulation<dim>::solve_step(const double t, const double tolerance, const bool may_be_halved)
-  {
-    my_path_error.reset();
-    if (!controls_path(scene))
-      return problem.solve(t, tolerance);
-    const State before = problem.state;
-    // Loads that turn within the step, as from pulling to pushing, would not be followed.
-    if (may_be_halved &&
-        problem.equilibrium->turn_of_loads(before.time, t) > 0.25 * scene.load_steps.path_error)
-      {
-        my_path_error = std::numeric_limits<double>::infinity();
-        return false;
-      }
-    if (!problem.solve(t, tolerance))
-      return false;
-    const auto tractions = [this] {
-      return all_tangential_tractions(problem.equilibrium->snapshot(0));
-    };
-    const std::vector<LA::Vector> coarse = tractions();
-    if (are_negligible(coarse, problem.equilibrium->snapshot(0)))
-      return true;
-    problem.equilibrium->return_to(before);
-    if (problem.solve((before.time + t) / 2, tolerance) && problem.solve(t, tolerance))
-      {
-        my_path_error = path_error(coarse, tractions());
-        if (*my_path_error <= scene.load_steps.path_error || !may_be_halved)
-          return true;
-        out << "  half as long load steps change tangential tractions by "
-            << short_text(100 * *my_path_error, 2) << " %" << std::endl;
-      }
-    problem.equilibrium->return_to(before);
-    return false;
-  }
-
-
-
   // Adaptive load steps: between prescribed times (`ends`) a step that does not converge is halved,
   // down to the shortest admissible one, and steps grow again by the number of Newton steps. Ends
   // since each step advances the time by at least the shortest length, or the loop is left. Returns
@@ -217,7 +162,7 @@ namespace Signorini
         const double shortest = scene.load_steps.shortest(end - start);
         // A cycle of the load within a step would not be seen.
         const double longest_with_friction =
-          controls_path(scene) ? (end - start) / 8 : std::numeric_limits<double>::max();
+          controls_path() ? (end - start) / 8 : std::numeric_limits<double>::max();
         start = end;
         while (t < end)
           {

@@ -62,6 +62,8 @@ namespace TestScene
     ContactSettings settings;
     settings.declare(section);
     section.close();
+    for (auto &[name, one] : settings.methods)
+      one->has_friction = !decisions.pairs[0].friction.is_zero();
     scene.contact = settings;
     decisions.check();
     contact = std::make_unique<ContactInterfaces<dim>>(decisions, *elasticity, timer, silence);

@@ -69,36 +69,45 @@ namespace
     return result;
   }
 
-  /// Forces and constraint residuals at (u + a du, q + a dq), with all points closed: what
-  /// ContactSystem is the derivative of, but for the sign.
-  template <int dim>
+  /// Gaps, stresses and tractions at (u, q), by the free degrees of freedom alone, which the system
+  /// is about.
+  struct Inputs
+  {
+    Inputs(const ContactSystem &system, const LA::BlockVector &x)
+      : gaps(system.gap_operator().zeros())
+      , stress(gaps)
+      , traction(gaps)
+    {
+      const GapOperator &contact = system.gap_operator();
+      for (unsigned int a = 0; a < contact.n_components(); ++a)
+        {
+          contact.free_rows(a).vmult(gaps[a], x.block(0));
+          if (contact.has_stress())
+            contact.S_free[a].vmult(stress[a], x.block(0));
+          if (!system.is_saddle_point())
+            continue;
+          traction[a] = x.block(1 + a);
+          traction[a].scale(contact.coefficients.stiffness);
+        }
+    }
+
+    PointVectors gaps, stress, traction;
+  };
+
+  /// Forces and constraint residuals at (u, q): what ContactSystem is the derivative of, but for
+  /// the sign.
   LA::BlockVector
-  residual(const SmallScene<dim> &scene,
-           const ContactLaw      &law,
+  residual(const ContactLaw      &law,
            const ContactSystem   &system,
            const LA::BlockVector &x,
            const InternalFields  &internal,
            const LA::Vector      &status)
   {
-    const GapOperator &contact = scene.gap_operator();
+    const GapOperator &contact = system.gap_operator();
     LA::BlockVector    result  = system.zero();
-    PointVectors       gaps    = {contact.zero()};
-    // The free degrees of freedom alone, which the system is about.
-    contact.B_free.vmult(gaps[0], x.block(0));
-    for (unsigned int a = 1; a < contact.n_components(); ++a)
-      {
-        gaps.push_back(contact.zero());
-        contact.free_rows(a).vmult(gaps[a], x.block(0));
-      }
-    PointVectors traction = contact.zeros();
-    for (unsigned int a = 0; a < traction.size() && system.is_saddle_point(); ++a)
-      {
-        traction[a] = x.block(1 + a);
-        traction[a].scale(contact.coefficients.stiffness);
-      }
-    const PointVectors stress = {contact.zero()};
-    const LawInputs    in{gaps, stress, traction, internal};
-    result.block(0) = contact.force(law.traction(in, status), stress);
+    const Inputs       at(system, x);
+    const LawInputs    in{at.gaps, at.stress, at.traction, internal};
+    result.block(0) = contact.force(law.traction(in, status), at.stress);
     if (system.is_saddle_point())
       {
         const PointVectors r = law.residual(in, status);
@@ -140,8 +149,8 @@ namespace
           }
         LA::BlockVector after = x;
         after += dx;
-        const LA::BlockVector before     = residual(scene, *law, system, x, internal, status);
-        LA::BlockVector       difference = residual(scene, *law, system, after, internal, status);
+        const LA::BlockVector before     = residual(*law, system, x, internal, status);
+        LA::BlockVector       difference = residual(*law, system, after, internal, status);
         difference -= before;
         const PointVectors none = scene.gap_operator().zeros();
         system.linearise({none, none, none, internal}, status);
@@ -162,6 +171,80 @@ namespace
       }
   }
 } // namespace
+
+namespace
+{
+  /// The tangent of Coulomb friction, of all methods, where open, sticking and slipping points are
+  /// next to each other.
+  template <int dim>
+  void
+  check_friction_tangent(const Case &which, const std::string &degree)
+  {
+    CAPTURE(which.name);
+    CAPTURE(degree);
+    SmallScene<dim> scene(which.lines + Lines{"Dimension=" + std::to_string(dim),
+                                              "Mesh/Degree=" + degree,
+                                              "Contact pairs/pair/Friction=0.4"});
+    for (const Lines &method : all_methods())
+      {
+        if (method[0] == "Method=direct elimination" && which.name != "flat, matching")
+          continue;
+        for (const std::string &line : method)
+          CAPTURE(line);
+        scene.use(method + Lines{"Contact geometry=reference"});
+        const GapOperator &contact = scene.gap_operator();
+        const auto         law     = scene.method().make_law(contact);
+        REQUIRE(law->n_components() == dim);
+        const InternalFields internal = rough_variables(*law);
+        scene.contact->set_friction(1, internal);
+        const AssembledStiffness K(scene.elasticity->stiffness());
+        ContactSystem            system(K, *law, scene.unconstrained_modes());
+        LA::BlockVector          x = system.zero(), dx = x, change = x;
+        x.block(0)  = scene.rough_field(0.01, 0.3);
+        dx.block(0) = scene.rough_field(0.01, 1.7);
+        for (unsigned int a = 0; a < dim && system.is_saddle_point(); ++a)
+          {
+            x.block(1 + a)  = rough(contact, 0.2 + a);
+            dx.block(1 + a) = rough(contact, 1.2 + a);
+          }
+        LA::Vector status = contact.zero();
+        for (const auto i : status.locally_owned_elements())
+          status(i) = static_cast<double>(std::array<ContactStatus, 3>{
+            {ContactStatus::open, ContactStatus::stick, ContactStatus::slip}}[i % 3]);
+        status.compress(VectorOperation::insert);
+        const Inputs at(system, x);
+        system.linearise({at.gaps, at.stress, at.traction, internal}, status);
+        system.contact_terms(change, dx);
+
+        constexpr double step  = 1e-6;
+        LA::BlockVector  right = x, left = x;
+        right.add(step, dx);
+        left.add(-step, dx);
+        LA::BlockVector difference = residual(*law, system, right, internal, status);
+        difference -= residual(*law, system, left, internal, status);
+        difference /= 2 * step;
+        CHECK(difference.l2_norm() > 0);
+        difference += change;
+        CHECK(difference.l2_norm() < 1e-6 * change.l2_norm());
+
+        LA::BlockVector other = change;
+        system.transpose(true);
+        system.contact_terms(other, x);
+        CHECK(std::abs(x * change - dx * other) < 1e-11 * x.l2_norm() * change.l2_norm());
+      }
+  }
+} // namespace
+
+TEST_CASE("tangents of Coulomb friction against finite differences, for all methods")
+{
+  for (const unsigned int i : {0, 1, 2, 3})
+    for (const std::string degree : {"1", "2"})
+      check_friction_tangent<2>(cases_2d()[i], degree);
+  for (const unsigned int i : {0, 1})
+    check_friction_tangent<3>(cases_3d()[i], "1");
+}
+
+
 
 TEST_CASE("tangents of laws with slip: curved, hanging, tied to supports, at nodes and points")
 {

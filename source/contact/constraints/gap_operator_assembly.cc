@@ -71,17 +71,20 @@ namespace Signorini
               const SurfaceFrame<dim> &frame = surfaces[p].frames[q];
               const auto               slip  = tangents.slip(row, frame, point.direction);
               const auto               tau   = tangents.at(row, frame, point.direction);
+              // Where an unbiased method exchanges the surfaces, tractions act on the pair's
+              // master.
+              const double side = point.normal * point.direction < 0 ? -weight : weight;
               for (unsigned int a = 0; a < dim - 1; ++a)
                 {
                   tangential.offset[a](row) += weight * slip[a];
                   const Tensor<1, 3> moment    = moment_of(point.slave_force_point, tau[a]),
                                      on_master = moment_of(point.master_force_point, tau[a]);
                   for (unsigned int d = 0; d < dim; ++d)
-                    tangential.direction[a][d](row) += weight * tau[a][d];
+                    tangential.direction[a][d](row) += side * tau[a][d];
                   for (unsigned int d = 0; d < n_moments; ++d)
                     {
-                      tangential.moment[a][d](row) += weight * moment[d];
-                      tangential.master_moment[a][d](row) += weight * on_master[d];
+                      tangential.moment[a][d](row) += side * moment[d];
+                      tangential.master_moment[a][d](row) += side * on_master[d];
                     }
                 }
             }
@@ -105,12 +108,9 @@ namespace Signorini
       const MPI_Comm comm = elasticity.mesh().communicator();
       // One dense matrix for each slave face (or group of points with the same nodes): its rows and
       // columns define the pattern too.
-      const std::vector<FaceMatrix> matrices = face_matrices(rows,
-                                                             surfaces,
-                                                             method.sampling(),
-                                                             tangents,
-                                                             elasticity.has_inclined_supports());
-      LA::SparsityPattern           pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
+      const std::vector<FaceMatrix> matrices = face_matrices(
+        rows, surfaces, method.sampling(), tangents, elasticity.has_inclined_supports());
+      LA::SparsityPattern pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
       for (const FaceMatrix &matrix : matrices)
         for (const auto row : matrix.rows)
           pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
@@ -132,7 +132,7 @@ namespace Signorini
         {
           LA::SparseMatrix &S = contact.S.emplace_back();
           S.reinit(pattern);
-      for (const FaceMatrix &matrix : matrices)
+          for (const FaceMatrix &matrix : matrices)
             S.add(matrix.rows, matrix.columns, matrix.stress[a]);
           S.compress(VectorOperation::add);
         }

@@ -109,8 +109,9 @@ namespace Signorini
         {
           const StressRow &of_slave  = own.components[a],
                           &of_master = share < 1 ? master_point.stress[a] : none;
-          StressRow       &mean      = point.stress.emplace_back();
-          for (const auto part : {&StressRow::displacement, &StressRow::thermal, &StressRow::volumetric})
+          StressRow &mean            = point.stress.emplace_back();
+          for (const auto part :
+               {&StressRow::displacement, &StressRow::thermal, &StressRow::volumetric})
             {
               for (const auto &[index, value] : of_slave.*part)
                 (mean.*part).emplace_back(index, share * value * own.ratio);

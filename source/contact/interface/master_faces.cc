@@ -32,8 +32,7 @@ namespace Signorini
         if (method.pressure_shift() == PressureShift::normal_stress)
           {
             stress = std::make_shared<NormalStress<dim>>(configuration);
-            loads =
-              std::make_shared<SurfaceLoads<dim>>(surface_loads(configuration.elasticity()));
+            loads  = std::make_shared<SurfaceLoads<dim>>(surface_loads(configuration.elasticity()));
           }
         const Elasticity<dim> &elasticity = configuration.elasticity();
         for (unsigned int i = 0; i < boundary.faces.size(); ++i)

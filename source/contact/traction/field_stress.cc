@@ -54,11 +54,15 @@ namespace Signorini
         {
           // The same loop is used twice: for the pattern, and for the values.
           const auto for_entries = [&](const auto &visit) {
-            for_each_share(rows, surfaces, tangents, [&](const auto row, const auto a, const auto &stress, const double factor) {
-              if (a == component)
-                for (const auto &[column, value] : stress.*part)
-                  visit(row, column, factor * value);
-            });
+            for_each_share(
+              rows,
+              surfaces,
+              tangents,
+              [&](const auto row, const auto a, const auto &stress, const double factor) {
+                if (a == component)
+                  for (const auto &[column, value] : stress.*part)
+                    visit(row, column, factor * value);
+              });
           };
           LA::SparsityPattern pattern(
             rows.owned, columns, rows.writable, contact.weight.get_mpi_communicator(), 0u);
@@ -87,9 +91,12 @@ namespace Signorini
       LA::Vector sum;
       sum.reinit(rows.owned, rows.writable, contact.weight.get_mpi_communicator(), true);
       PointVectors sums(contact.n_components(), sum), result = contact.zeros();
-      for_each_share(rows, surfaces, tangents, [&](const auto row, const auto a, const auto &stress, const double factor) {
-        sums[a](row) += factor * stress.offset;
-      });
+      for_each_share(rows,
+                     surfaces,
+                     tangents,
+                     [&](const auto row, const auto a, const auto &stress, const double factor) {
+                       sums[a](row) += factor * stress.offset;
+                     });
       for (unsigned int a = 0; a < result.size(); ++a)
         {
           sums[a].compress(VectorOperation::add);
@@ -114,12 +121,8 @@ namespace Signorini
                         GapOperator                            &contact)
   {
     if (elasticity.thermal().any())
-      contact.S_thermal = assemble(&StressRow::thermal,
-                                   elasticity.thermal().owned(),
-                                   rows,
-                                   surfaces,
-                                   tangents,
-                                   contact);
+      contact.S_thermal = assemble(
+        &StressRow::thermal, elasticity.thermal().owned(), rows, surfaces, tangents, contact);
     contact.fixed_stress = offsets(rows, surfaces, tangents, contact);
     if (!elasticity.volumetric_stress().empty())
       contact.S_volumetric = assemble(&StressRow::volumetric,

@@ -272,7 +272,7 @@ namespace Signorini
         return result;
       }
     // Cofactor J F^-T N: its length is the area ratio j, its direction the current normal m_c.
-    const ConstitutiveResponse &state         = *found;
+    const ConstitutiveResponse &state    = *found;
     const Tensor<2, 3>          inverse  = invert(in_plane);
     const Tensor<1, 3>          cofactor = determinant(in_plane) * (transpose(inverse) * N);
     const double                j        = cofactor.norm();
@@ -306,8 +306,7 @@ namespace Signorini
         const std::vector<double> row =
           product_with_gradient(of_force / j - (component.value / j) * of_ratio, unit_x);
         component.displacement = resolved(row);
-        component.offset =
-          component.value - point.volumetric_stress * of_volumetric - product(row);
+        component.offset = component.value - point.volumetric_stress * of_volumetric - product(row);
         if (!volumetric.is_on(*cell))
           continue;
         const auto  phi    = volumetric.functions(*cell, X);

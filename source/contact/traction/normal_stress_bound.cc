@@ -66,9 +66,9 @@ namespace Signorini
     Eigen::MatrixXd stress(n_components * rule.size(), n); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
-        const Tensor<1, dim> normal = patch.normal(rule.point(q));
+        const Tensor<1, dim> normal     = patch.normal(rule.point(q));
         const auto           directions = stress_directions(normal, with_slip);
-        const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
+        const double         root       = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
                                       measure(elasticity.model(), patch.position(rule.point(q))));
         for (unsigned int a = 0; a < n_components; ++a)
           {

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Load steps with friction, whose solution depends on the path.
+#include "driver/simulation.h"
+#include "fields/friction_fields.h"
+#include <signorini/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  // Load steps are chosen for the accuracy of the path.
+  template <int dim>
+  bool
+  Simulation<dim>::controls_path() const
+  {
+    return scene.load_steps.is_automatic && scene.contact.chosen().has_friction;
+  }
+
+
+
+  // The tractions after one load step are compared with those after two of half the length, which
+  // are kept. Without tangential tractions there is no path.
+  template <int dim>
+  bool
+  Simulation<dim>::solve_step(const double t, const double tolerance, const bool may_be_halved)
+  {
+    my_path_error.reset();
+    if (!scene.contact.chosen().has_friction)
+      return problem.solve(t, tolerance);
+    if (!controls_path())
+      return solve_from_touch(t, tolerance);
+    const State before = problem.state;
+    // Loads that turn within the step, as from pulling to pushing, would not be followed.
+    if (may_be_halved &&
+        problem.equilibrium->turn_of_loads(before.time, t) > 0.25 * scene.load_steps.path_error)
+      {
+        my_path_error = std::numeric_limits<double>::infinity();
+        return false;
+      }
+    if (!solve_from_touch(t, tolerance))
+      return false;
+    const auto tractions = [this] {
+      return all_tangential_tractions(problem.equilibrium->snapshot(0));
+    };
+    const std::vector<LA::Vector> coarse = tractions();
+    if (are_negligible(coarse, problem.equilibrium->snapshot(0)))
+      return true;
+    problem.equilibrium->return_to(before);
+    if (solve_from_touch((before.time + t) / 2, tolerance) && solve_from_touch(t, tolerance))
+      {
+        my_path_error = path_error(coarse, tractions());
+        if (*my_path_error <= scene.load_steps.path_error || !may_be_halved)
+          return true;
+        out << "  half as long load steps change tangential tractions by "
+            << short_text(100 * *my_path_error, 2) << " %" << std::endl;
+      }
+    problem.equilibrium->return_to(before);
+    return false;
+  }
+
+
+
+  namespace
+  {
+    /// @return the smallest gap of each pair with friction [length], zero or less where it is in
+    /// contact, and infinity where it has no points; zero for pairs without friction.
+    /// Collective.
+    /// @param gap at the points
+    template <int dim>
+    std::vector<double>
+    smallest_gaps(const std::vector<ContactPair<dim>> &pairs,
+                  const GapOperator                   &contact,
+                  const LA::Vector                    &gap)
+    {
+      std::vector<double> result;
+      for (const ContactPair<dim> &pair : pairs)
+        result.push_back(pair.friction.is_zero() ? 0. : std::numeric_limits<double>::infinity());
+      auto pair = contact.origin.pair.begin();
+      for (const auto i : gap.locally_owned_elements())
+        {
+          double &least = result[*pair++];
+          least         = std::min(least, double(gap(i)));
+        }
+      for (double &least : result)
+        least = Utilities::MPI::min(least, gap.get_mpi_communicator());
+      return result;
+    }
+  } // namespace
+
+
+
+  // Slip counts from the place of the first touch, not from the start of the load step in which
+  // surfaces meet: that one is divided where they do. Until then the motion mostly is linear in
+  // time, so that two solutions without contact tell when that is.
+  template <int dim>
+  bool
+  Simulation<dim>::solve_from_touch(const double t, const double tolerance)
+  {
+    // Gaps relative to the way of the load step up to which pairs are in contact at its ends, and
+    // within it; the gap relative to the first one that is left; and the number of halvings.
+    constexpr double       small = 1e-3, tiny = 1e-6, close = 1e-3;
+    constexpr unsigned int most   = 12;
+    const State            before = problem.state;
+    const auto             gaps   = [this] {
+      const GapOperator &contact = problem.contact->gap_operator();
+      return smallest_gaps(problem.decisions.pairs,
+                           contact,
+                           contact.gap(problem.state.displacement));
+    };
+    const std::vector<double> at_start = gaps();
+    if (!problem.solve(t, tolerance))
+      return false;
+    LA::Vector motion = problem.state.displacement;
+    motion -= before.displacement;
+    const double              way    = motion.linfty_norm();
+    const std::vector<double> at_end = gaps();
+    // The smallest gap of the pairs that come into contact in this load step.
+    const auto gap_of_new_contact = [&](const std::vector<double> &gaps) {
+      double result = std::numeric_limits<double>::infinity();
+      for (unsigned int p = 0; p < gaps.size(); ++p)
+        if (at_start[p] > small * way && at_end[p] <= small * way)
+          result = std::min(result, gaps[p]);
+      return result;
+    };
+    if (const Snapshot<dim> now = problem.equilibrium->snapshot(0);
+        std::isinf(gap_of_new_contact(at_end)) ||
+        are_negligible(all_tangential_tractions(now), now))
+      return true;
+
+    // An infinite gap is one beyond the reach of the search.
+    State  open  = before;
+    double first = gap_of_new_contact(at_start);
+    double gap = first, next = (before.time + t) / 2, closed = t;
+    for (unsigned int n = 0; n < most && (std::isinf(gap) || gap > close * first); ++n)
+      {
+        problem.equilibrium->return_to(open);
+        // Bodies that nothing but contact holds have no solution without it.
+        if (!problem.solve(next, tolerance))
+          break;
+        const double gap_there = gap_of_new_contact(gaps());
+        if (gap_there <= tiny * way)
+          closed = next;
+        else
+          {
+            // A little before the touch of a motion that is linear in time.
+            const double speed = (gap - gap_there) / (next - open.time);
+            open               = problem.state;
+            gap                = gap_there;
+            if (std::isinf(first))
+              first = gap;
+            next = open.time + (1 - close / 2) * gap / speed;
+            if (std::isfinite(speed) && speed > 0 && next < closed)
+              continue;
+          }
+        next = (open.time + closed) / 2;
+      }
+    problem.equilibrium->return_to(open);
+    if (open.time > before.time)
+      out << "  surfaces meet at t = " << short_text(open.time) << ", from where slip is counted"
+          << std::endl;
+    return problem.solve(t, tolerance);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template bool Simulation<dim>::controls_path() const;                                            \
+  template bool Simulation<dim>::solve_step(double, double, bool);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini
