@@ -27,7 +27,9 @@ namespace Signorini
     std::string
     name_of(const DirectLibrary library)
     {
-      return library == DirectLibrary::MUMPS ? "MUMPS" : "KLU";
+      return library == DirectLibrary::MUMPS ? "MUMPS" :
+             library == DirectLibrary::KLU   ? "KLU" :
+                                               "SparseLU";
     }
 
 
@@ -45,7 +47,7 @@ namespace Signorini
     bool
     DirectSolver::is_available(const DirectLibrary library)
     {
-      return Amesos().Query(amesos_name(library));
+      return library == DirectLibrary::SparseLU || Amesos().Query(amesos_name(library));
     }
 
 
@@ -55,6 +57,13 @@ namespace Signorini
     DirectSolver::factorise(const SparseMatrix &matrix)
     {
       clear();
+      if (library == DirectLibrary::SparseLU)
+        {
+          Assert(Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) == 1,
+                 ExcInternalError());
+          ordered = std::make_unique<OrderedLU>();
+          return ordered->factorise(matrix) ? 0 : 1;
+        }
       problem = std::make_unique<Epetra_LinearProblem>();
       problem->SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
       solver.reset(Amesos().Create(amesos_name(library), *problem));
@@ -75,6 +84,7 @@ namespace Signorini
     {
       solver.reset();
       problem.reset();
+      ordered.reset();
     }
 
 
@@ -84,6 +94,8 @@ namespace Signorini
     void
     DirectSolver::solve(Vector &x, const Vector &right) const
     {
+      if (ordered)
+        return ordered->solve(x, right);
       Assert(solver, ExcNotInitialized());
       problem->SetLHS(&x.trilinos_vector());
       problem->SetRHS(const_cast<Epetra_MultiVector *>(&right.trilinos_vector()));

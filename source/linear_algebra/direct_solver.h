@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "linear_algebra/types.h"
+#include "linear_algebra/ordered_lu.h"
 #include <signorini/linear_algebra/direct_library.h>
 
 #include <memory>
@@ -13,7 +13,8 @@ namespace Signorini
 {
   namespace LA
   {
-    /// A sparse LU factorisation, by one of the libraries that Trilinos may have been built with.
+    /// A sparse LU factorisation, by Eigen or one of the libraries that Trilinos may have been
+    /// built with.
     class DirectSolver
     {
     public:
@@ -21,7 +22,7 @@ namespace Signorini
 
       ~DirectSolver();
 
-      /// True if Trilinos was built with the library.
+      /// True if the library is there: Trilinos may have been built without it.
       static bool
       is_available(DirectLibrary library);
 
@@ -44,6 +45,7 @@ namespace Signorini
       std::unique_ptr<Epetra_LinearProblem> problem;
       /// Refers to `problem`, which must be destroyed after it.
       std::unique_ptr<Amesos_BaseSolver> solver;
+      std::unique_ptr<OrderedLU>         ordered; ///< instead of both
     };
   } // namespace LA
 } // namespace Signorini

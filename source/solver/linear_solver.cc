@@ -17,9 +17,9 @@ namespace Signorini
 
   namespace
   {
-    /// Choose the library for factorisations. On one rank KLU is faster for small matrices and for
-    /// those of a contact interface; for the whole system MUMPS is, five times and more in space,
-    /// and for interfaces that include the geometric stiffness.
+    /// Choose the library for factorisations. On one rank SparseLU is the fastest for matrices of a
+    /// contact interface and small ones; for the whole system in space MUMPS is, and for interfaces
+    /// that include the geometric stiffness.
     LA::DirectLibrary
     choose_direct(const LinearSolverSettings &settings,
                   const Stiffness            &stiffness,
@@ -29,13 +29,16 @@ namespace Signorini
       if (settings.direct_solver == LA::DirectLibrary::MUMPS && !has_mumps)
         throw SceneError(
           "Solver/Direct solver = MUMPS: this Trilinos was built without MUMPS; set auto or KLU");
+      constexpr unsigned int small = 2000;
+      const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1;
+      if (settings.direct_solver == LA::DirectLibrary::SparseLU && !is_serial)
+        throw SceneError("Solver/Direct solver = SparseLU works on one rank only; set auto");
       if (settings.direct_solver)
         return *settings.direct_solver;
-      constexpr unsigned int small = 2000;
-      const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
-                 is_large          = interface_includes_geometric ||
-                            (settings.traits().factorises && stiffness.size() > small);
+      const bool is_large =
+        interface_includes_geometric || (settings.traits().factorises && stiffness.size() > small);
       return has_mumps && (!is_serial || is_large) ? LA::DirectLibrary::MUMPS :
+             is_serial                             ? LA::DirectLibrary::SparseLU :
                                                      LA::DirectLibrary::KLU;
     }
 

@@ -84,10 +84,11 @@ namespace Signorini
     section.add_choice(
       "Direct solver",
       direct_solver,
-      or_auto<LA::DirectLibrary>(
-        {{"KLU", LA::DirectLibrary::KLU}, {"MUMPS", LA::DirectLibrary::MUMPS}}),
+      or_auto<LA::DirectLibrary>({{"SparseLU", LA::DirectLibrary::SparseLU},
+                                  {"KLU", LA::DirectLibrary::KLU},
+                                  {"MUMPS", LA::DirectLibrary::MUMPS}}),
       "library for direct solves on the contact interface and of the whole system; auto: the faster one that is installed, "
-      "KLU for interfaces and small systems on one rank, else MUMPS");
+      "SparseLU (of Eigen) for interfaces and small systems on one rank, else MUMPS");
     section.add_choice(
       "Near null space",
       near_null_space,

@@ -10,8 +10,9 @@ namespace Signorini
     /// Libraries for the factorisation of sparse matrices.
     enum class DirectLibrary
     {
-      KLU,  ///< gathers the matrix on one rank
-      MUMPS ///< distributed
+      SparseLU, ///< that of Eigen, in the order of OrderedLU; on one rank only
+      KLU,      ///< gathers the matrix on one rank
+      MUMPS     ///< distributed
     };
 
     /// The name of a library, for messages and settings.
