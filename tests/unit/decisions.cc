@@ -281,10 +281,10 @@ TEST_CASE("a loose motion is held where that takes little force")
   // Contact pushes with 2 times 3 on what moves.
   const LA::Vector p = points.vector({0, 0, 0, 0, 3, 0});
   LA::Vector       r = points.vector({1, 1, 1, 1, 0.02, 0.02});
-  CHECK(motions.project_out(r, {p}, points.contact.zero()) == doctest::Approx(0.04));
+  CHECK(motions.project_out(r, {p}, {points.contact.zero()}) == doctest::Approx(0.04));
   CHECK(std::abs(everywhere(r)[4] + everywhere(r)[5]) < 1e-15);
   CHECK(everywhere(r)[0] == 1);
   r = points.vector({1, 1, 1, 1, 0.2, 0.2});
-  CHECK(motions.project_out(r, {p}, points.contact.zero()) == 0);
+  CHECK(motions.project_out(r, {p}, {points.contact.zero()}) == 0);
   CHECK(everywhere(r)[4] == 0.2);
 }

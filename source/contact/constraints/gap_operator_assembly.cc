@@ -2,6 +2,7 @@
 #include "contact/constraints/condensed_columns.h"
 #include "contact/constraints/contact_rows.h"
 #include "contact/constraints/gap_operator.h"
+#include "contact/constraints/symmetry_slip.h"
 #include "contact/constraints/tangents.h"
 #include "contact/traction/normal_stress.h"
 #include "linear_algebra/diagonal.h"
@@ -315,6 +316,8 @@ namespace Signorini
                      !configuration.is_reference(),
                      comm);
     normalise(contact);
+    if (tangents && method.sampling() == Sampling::nodes)
+      remove_slip_across_symmetry_planes(elasticity, *tangents, contact);
     if (contact.has_stress())
       assemble_field_stress(elasticity, rows, surfaces, tangents, contact);
     // Points of pairs without separation are active whatever the sign of their pressure.

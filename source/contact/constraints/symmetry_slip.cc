@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/constraints/symmetry_slip.h"
+
+#include "linear_algebra/columns.h"
+#include "linear_algebra/row_view.h"
+#include "linear_algebra/values.h"
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// @return whether a support holds a node in this direction at all times, without moving it.
+    template <int dim>
+    bool
+    holds(const DirectionConstraint<dim> &constraint)
+    {
+      const Support<dim> *const support = constraint.support;
+      if (!support || support->type == SupportType::symmetry)
+        return true; // null: the axis
+      if (support->type != SupportType::displacement || support->from > 0 || support->until > 0)
+        return false;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(constraint.direction[d]) > 1e-6 && !support->displacement.is_zero(d))
+          return false;
+      return true;
+    }
+
+    /// For each degree of freedom, what is known of its node: the number of the piece of its body,
+    /// plus 1, and up to dim directions n in which it is held, component by component, with n.X.
+    template <int dim>
+    struct HeldNodes
+    {
+      LA::Vector              piece;
+      std::vector<LA::Vector> directions, places;
+
+      /// Collective.
+      explicit HeldNodes(const Elasticity<dim> &elasticity)
+        : piece(elasticity.zero_vector())
+        , directions(dim, elasticity.zero_vector())
+        , places(directions)
+      {
+        for (const auto &[first, node] : elasticity.constrained_nodes())
+          {
+            if (!elasticity.owned().is_element(first))
+              continue;
+            unsigned int k = 0;
+            for (const DirectionConstraint<dim> &one : node.prescribed_directions)
+              {
+                if (k == dim || !holds(one))
+                  continue;
+                // Of n and -n the one whose largest component is positive.
+                unsigned int largest = 0;
+                for (unsigned int d = 1; d < dim; ++d)
+                  if (std::abs(one.direction[d]) > std::abs(one.direction[largest]) + 1e-6)
+                    largest = d;
+                const Tensor<1, dim> n =
+                  one.direction[largest] > 0 ? one.direction : -one.direction;
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    piece(first + d)         = node.piece + 1;
+                    directions[k](first + d) = n[d];
+                    places[k](first + d)     = n * node.position;
+                  }
+                ++k;
+              }
+          }
+        piece.compress(VectorOperation::insert);
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            directions[k].compress(VectorOperation::insert);
+            places[k].compress(VectorOperation::insert);
+          }
+      }
+    };
+
+    /// The values of HeldNodes at the local columns of a matrix.
+    struct HeldColumns
+    {
+      std::vector<types::global_dof_index> dofs;
+      std::vector<double>                  piece;
+      std::vector<std::vector<double>>     directions, places;
+
+      /// @return whether the row has a node of another piece that is held in the same direction, at
+      /// the same place along it.
+      /// @param n,place,piece of the slave's node @param close distance that counts as none
+      template <int dim>
+      bool
+      has_partner(const LA::RowView    &row,
+                  const Tensor<1, dim> &n,
+                  const double          place_of_node,
+                  const double          piece_of_node,
+                  const double          close) const
+      {
+        for (int k = 0; k < row.size; ++k)
+          {
+            const int          column = row.columns[k];
+            const unsigned int d      = dofs[column] % dim;
+            if (piece[column] == 0 || piece[column] == piece_of_node || std::abs(n[d]) < 0.3)
+              continue;
+            for (unsigned int l = 0; l < directions.size(); ++l)
+              if (std::abs(directions[l][column] - n[d]) < 1e-6 &&
+                  std::abs(places[l][column] - place_of_node) < close)
+                return true;
+          }
+        return false;
+      }
+    };
+  } // namespace
+
+
+
+  // The components of the slip of a row are multiplied by I - q q^T, where q are those of the
+  // normal of the plane along the tangents of the row.
+  template <int dim>
+  void
+  remove_slip_across_symmetry_planes(const Elasticity<dim> &elasticity,
+                                     const Tangents<dim>   &tangents,
+                                     GapOperator           &contact)
+  {
+    const HeldNodes<dim> held(elasticity);
+    if (contact.empty() || held.piece.linfty_norm() == 0)
+      return;
+    const LA::ColumnExchange columns(contact.B);
+    HeldColumns              at{LA::global_columns(contact.B), columns.fetch(held.piece), {}, {}};
+    for (unsigned int k = 0; k < dim; ++k)
+      {
+        at.directions.push_back(columns.fetch(held.directions[k]));
+        at.places.push_back(columns.fetch(held.places[k]));
+      }
+    const double close = 1e-6 * elasticity.mesh().size();
+    int          row   = 0;
+    for (const auto i : contact.weight.locally_owned_elements())
+      {
+        const LA::RowView view(contact.B, row);
+        const auto        node  = contact.origin.node[row];
+        const auto        frame = tangents.at_rest(i);
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            Tensor<1, dim> n;
+            for (unsigned int d = 0; d < dim; ++d)
+              n[d] = held.directions[k](node + d);
+            Tensor<1, dim - 1> q;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              q[a] = frame[a] * n;
+            // A plane of symmetry cuts surfaces at right angles.
+            if (q.norm() < 0.9 ||
+                !at.has_partner(view, n, held.places[k](node), held.piece(node), close))
+              continue;
+            q /= q.norm();
+            std::array<double *, dim - 1> values;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              values[a] = LA::RowView(contact.tangential.B[a], row).values;
+            const auto project = [&](const auto &component) {
+              double along = 0;
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                along += q[a] * component(a);
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                component(a) -= along * q[a];
+            };
+            for (int entry = 0; entry < view.size; ++entry)
+              project([&](const unsigned int a) -> double & { return values[a][entry]; });
+            project([&](const unsigned int a) -> double & {
+              return LA::values_of(contact.tangential.offset[a])[row];
+            });
+          }
+        ++row;
+      }
+  }
+
+
+
+  template void
+  remove_slip_across_symmetry_planes(const Elasticity<2> &, const Tangents<2> &, GapOperator &);
+  template void
+  remove_slip_across_symmetry_planes(const Elasticity<3> &, const Tangents<3> &, GapOperator &);
+} // namespace Signorini
