@@ -113,8 +113,12 @@ namespace Signorini
                                   const double      pressure,
                                   const double      slip) const
   {
-    // The order of the arguments keeps what is not a number.
-    return pressure > 0 ? std::min(value(x, t, pressure, slip) * pressure, limit) : 0.;
+    if (pressure <= 0)
+      return 0;
+    // The coefficient may be none at pressures that only iterates have; see
+    // ContactInterfaces::check_friction() for those of solutions.
+    const double mu = value(x, t, pressure, slip);
+    return std::isnan(mu) ? 0. : std::min(mu * pressure, limit);
   }
 
 

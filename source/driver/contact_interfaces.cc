@@ -64,6 +64,14 @@ namespace Signorini
 
   namespace
   {
+    /// @return the length of the path on which a point has slipped before the load step [length],
+    /// an internal variable of friction.
+    double
+    slip_path(const InternalFields &internal, const types::global_dof_index point)
+    {
+      return internal.scalars.size() > 1 ? double(internal.scalars[1](point)) : 0.;
+    }
+
     /// The area of the contact points of all ranks. Collective.
     template <int dim>
     double
@@ -283,27 +291,18 @@ namespace Signorini
       std::any_of(decisions.pairs.begin(), decisions.pairs.end(), [](const auto &one) {
         return one.friction.is_nonlinear();
       });
-    const auto position = [this](const auto i) {
-      Point<dim> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = contact->geometry.position[d](i);
-      return x;
-    };
-    const auto slip = [internal](const auto i) {
-      return internal.scalars.size() > 1 ? double(internal.scalars[1](i)) : 0.;
-    };
+    check_friction(t, internal, contact->zero());
+    const auto position = [this](const auto i) { return position_of(i); };
+    const auto slip     = [internal](const auto i) { return slip_path(internal, i); };
     std::map<types::global_dof_index, unsigned int> pair_of; // if the bound is nonlinear
-    auto                                            pair  = contact->origin.pair.begin();
-    unsigned int                                    wrong = 0; // one more than the number of a pair
+    auto                                            pair = contact->origin.pair.begin();
     for (const auto i : coefficients.friction.locally_owned_elements())
       {
         const FrictionCoefficient<dim> &friction = decisions.pairs[*pair].friction;
-        const double                    mu       = friction.value(position(i), t, 0., slip(i));
-        if (!std::isfinite(mu))
-          wrong = *pair + 1;
         if (is_nonlinear)
           pair_of[i] = *pair;
-        coefficients.friction(i) = is_nonlinear && !friction.is_zero() ? 1. : mu;
+        coefficients.friction(i) =
+          is_nonlinear && !friction.is_zero() ? 1. : friction.value(position(i), t, 0., slip(i));
         ++pair;
       }
     coefficients.friction.compress(VectorOperation::insert);
@@ -312,6 +311,37 @@ namespace Signorini
       coefficients.bound_of = [this, t, slip, position, pair_of](const auto i, const double p) {
         return decisions.pairs[pair_of.at(i)].friction.bound(position(i), t, p, slip(i));
       };
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  ContactInterfaces<dim>::position_of(const types::global_dof_index point) const
+  {
+    Point<dim> x;
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] = contact->geometry.position[d](point);
+    return x;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactInterfaces<dim>::check_friction(const double          t,
+                                         const InternalFields &internal,
+                                         const LA::Vector     &pressure) const
+  {
+    auto         pair  = contact->origin.pair.begin();
+    unsigned int wrong = 0; // one more than the number of a pair
+    for (const auto i : pressure.locally_owned_elements())
+      {
+        if (!std::isfinite(decisions.pairs[*pair].friction.value(
+              position_of(i), t, std::max(0., double(pressure(i))), slip_path(internal, i))))
+          wrong = *pair + 1;
+        ++pair;
+      }
     wrong = Utilities::MPI::max(wrong, elasticity.mesh().communicator());
     if (wrong > 0)
       throw SceneError("Contact pairs/" + decisions.pairs[wrong - 1].name +

@@ -132,6 +132,12 @@ namespace Signorini
     void
     set_time(double t, const InternalFields &internal = InternalFields());
 
+    /// Check the friction coefficients at given pressures. Throws SceneError on all ranks where one
+    /// is negative, or no number. Collective.
+    /// @param internal variables of the contact points at the start of the load step
+    void
+    check_friction(double t, const InternalFields &internal, const LA::Vector &pressure) const;
+
     /// A description of two pairs with active points at the same nodes, which over-constrain them
     /// and may make the system singular; empty if there are none. Collective.
     std::string
@@ -154,6 +160,10 @@ namespace Signorini
     /// @param internal variables of the points at the start of the load step
     void
     set_friction(double t, const InternalFields &internal);
+
+    /// The position of a point in the reference configuration.
+    dealii::Point<dim>
+    position_of(dealii::types::global_dof_index point) const;
 
     /// True if the reference gap of the pair depends on time.
     bool

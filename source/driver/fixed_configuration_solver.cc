@@ -142,10 +142,13 @@ namespace Signorini
     contact.set_time(t, my_contact.internal);
     my_report = solver->newton.solve(state.displacement, my_contact, watch());
     elasticity.distribute(state.displacement);
-    ContactState now        = my_contact;
-    now.internal            = solver->newton.internal(state.displacement, my_contact);
-    state.contact           = to_surface_field(contact.gap_operator(), now, dim);
-    state.volumetric_stress = elasticity.volumetric_stress().coefficients();
+    if (my_report.converged && scene.contact.chosen().has_friction)
+      contact.check_friction(t, my_contact.internal, my_contact.pressure());
+    my_contact.internal_at_end = solver->newton.internal(state.displacement, my_contact);
+    ContactState now           = my_contact;
+    now.internal               = now.internal_at_end;
+    state.contact              = to_surface_field(contact.gap_operator(), now, dim);
+    state.volumetric_stress    = elasticity.volumetric_stress().coefficients();
     clock.stop();
   }
 

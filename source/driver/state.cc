@@ -121,7 +121,7 @@ namespace Signorini
   {
     // The vectors are not copied from each other: a copy would take over the ghost layout of the
     // source, which may differ between ranks.
-    ContactState state{contact.zeros(), contact.zero(), internal};
+    ContactState state{contact.zeros(), contact.zero(), internal, {}};
     if (contact.empty())
       return state;
     const MPI_Comm      comm = contact.weight.get_mpi_communicator();

@@ -56,23 +56,14 @@ namespace Signorini
 
 
 
-  // The slip before this load step is an internal variable, to which that of this step is added.
+  // An internal variable of the law.
   template <int dim>
   PointVectors
   slip_at_points(const Snapshot<dim> &s)
   {
-    const std::vector<PointVectors> &before = s.contact_state.internal.vectors;
-    const PointVectors               gaps   = s.contact.gaps(s.displacement);
-    PointVectors                     result(gaps.begin() + 1, gaps.end());
-    for (unsigned int a = 0; a < result.size(); ++a)
-      {
-        for (const auto i : result[a].locally_owned_elements())
-          result[a](i) = !is_closed(s.contact_state.status(i)) ? 0. :
-                         before.size() > 1                     ? gaps[a + 1](i) + before[1][a](i) :
-                                                                 gaps[a + 1](i);
-        result[a].compress(VectorOperation::insert);
-      }
-    return result;
+    const std::vector<PointVectors> &vectors = s.contact_state.internal_at_end.vectors;
+    return vectors.size() > 1 ? vectors[1] :
+                                PointVectors(s.contact.n_components() - 1, s.contact.zero());
   }
 
 

@@ -52,28 +52,26 @@ namespace Signorini
     friction_sums(const Snapshot<dim> &s, const unsigned int pair)
     {
       FrictionSums        sums;
-      const PointVectors  gaps     = s.contact.gaps(s.displacement);
-      const PointVectors  slip     = slip_at_points(s);
-      const PointVectors &t        = s.contact_state.traction;
-      const auto         &internal = s.contact_state.internal;
-      auto                which    = s.contact.origin.pair.begin();
+      const PointVectors  gaps   = s.contact.gaps(s.displacement);
+      const PointVectors  slip   = slip_at_points(s);
+      const PointVectors &t      = s.contact_state.traction;
+      const PointVectors &before = s.contact_state.internal.scalars,
+                         &after  = s.contact_state.internal_at_end.scalars;
+      auto which                 = s.contact.origin.pair.begin();
       for (const auto i : s.pressure.locally_owned_elements())
         {
           if (*which++ != pair)
             continue;
           const double weight = s.contact.weight(i);
-          if (!internal.scalars.empty())
-            sums.total_work += weight * internal.scalars[0](i);
+          const double total  = after.empty() ? 0. : double(after[0](i)),
+                       work   = before.empty() ? total : total - before[0](i);
+          sums.total_work += weight * total;
+          sums.work += weight * work;
           if (!is_closed(s.contact_state.status(i)))
             continue;
-          double work = 0;
-          for (unsigned int a = 1; a < gaps.size(); ++a)
-            work -= t[a](i) * gaps[a](i);
           const double size = size_at(t, i, 1);
-          sums.work += weight * work;
-          sums.total_work += weight * work;
-          sums.slip       = std::max(sums.slip, size_at(gaps, i, 1));
-          sums.total_slip = std::max(sums.total_slip, size_at(slip, i, 0));
+          sums.slip         = std::max(sums.slip, size_at(gaps, i, 1));
+          sums.total_slip   = std::max(sums.total_slip, size_at(slip, i, 0));
           if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
             sums.elastic_slip = std::max(sums.elastic_slip, size_at(gaps, i, 1));
           sums.excess =

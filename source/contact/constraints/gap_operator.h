@@ -129,10 +129,10 @@ namespace Signorini
   /// Nitsche's method also needs the stress s = S u + s_0 of the bodies at the points, with the
   /// components of the traction on the slave: the normal one, positive in compression, and the
   /// tangential ones if the law depends on the slip, less the surface loads there. Its forces are
-  /// B^T W p + theta S^T W (s - p)/eps, summed over the components. s_0 collects surface loads, thermal strain and, at
-  /// finite strain, the offset of the linearisation, S being the derivative of the stress. Bodies
-  /// in displacement-pressure form add T m to s, with their volumetric stress m, and get the force
-  /// theta T^T W (s - p)/eps on m.
+  /// B^T W p + theta S^T W (s - p)/eps, summed over the components. s_0 collects surface loads,
+  /// thermal strain and, at finite strain, the offset of the linearisation, S being the derivative
+  /// of the stress. Bodies in displacement-pressure form add T m to s, with their volumetric stress
+  /// m, and get the force theta T^T W (s - p)/eps on m.
   struct GapOperator
   {
     dealii::IndexSet dofs; ///< locally owned degrees of freedom
@@ -149,7 +149,7 @@ namespace Signorini
     PointVectors fixed_stress;   ///< the remaining part of s_0; empty: zero
     /// T, by VolumetricStress::coefficients(); empty: no body is mixed.
     std::vector<LA::SparseMatrix> S_volumetric;
-    double theta = 0;    ///< 1, 0 or -1: variant of Nitsche's method; 0 for other methods
+    double theta = 0; ///< 1, 0 or -1: variant of Nitsche's method; 0 for other methods
     bool   has_condensed_constraints =
       false; ///< B refers to components that supports tie to others, see B_free
     /// Area of each point; their sum is the slave area that has a projection.

@@ -38,8 +38,9 @@ namespace Signorini
     /// [force/length^2].
     PointVectors traction;
     LA::Vector   status; ///< values of ContactStatus
-    /// Internal variables at the end of the last load step; empty if the contact law has none.
-    InternalFields internal;
+    /// Internal variables at the end of the last load step, and of the present one if it is solved;
+    /// empty if the contact law has none.
+    InternalFields internal, internal_at_end;
 
     /// The normal component of the traction.
     const LA::Vector &
@@ -53,7 +54,7 @@ namespace Signorini
   inline ContactState
   open_contact(const GapOperator &contact)
   {
-    return {contact.zeros(), contact.zero(), {}};
+    return {contact.zeros(), contact.zero(), {}, {}};
   }
 
   /// Indicator of closed points: 1 at closed points, else 0.

@@ -169,8 +169,10 @@ namespace Signorini
         result.residual[a]  = (before - allowed.traction[a]) / c;
         result.internal.vectors[0][a] = result.traction[a];
         result.internal.vectors[1][a] = in.internal.vectors[1][a] + in.gap[a];
-        result.internal.scalars[0] -= result.traction[a] * in.gap[a];
-        slip = std::hypot(slip, in.gap[a]);
+        // The slip but for elastic slip, along the projection: zero where the point sticks.
+        const double lost = (result.traction[a] - tried[a]) / c;
+        result.internal.scalars[0] -= result.traction[a] * lost;
+        slip = std::hypot(slip, lost);
         for (unsigned int b = 0; b < n; ++b)
           {
             // By the pressure with the penalty of the normal law, by the slip with the parameter.

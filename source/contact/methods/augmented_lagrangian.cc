@@ -3,6 +3,8 @@
 #include "contact/methods/penalty_factor.h"
 #include <signorini/parameters/section.h>
 
+#include <optional>
+
 namespace Signorini
 {
   /// Augmented Lagrangian method (doc/theory, 2.4) in two forms. Uzawa: a sequence of penalty
@@ -10,7 +12,9 @@ namespace Signorini
   /// until the gap weighted at the slave nodes is closed; systems without multipliers. The gap
   /// falls by about 1/(1 + Factor) each time. Newton: displacement and pressure at once, from p =
   /// max(0, p - eps g) (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375). The
-  /// result of both is that of the Lagrange multiplier method.
+  /// result of both is that of the Lagrange multiplier method. With friction the bound of
+  /// tangential tractions changes with each augmentation, and points at the edge of a stick zone
+  /// may change their statuses for ever: Newton is the default then.
   class AugmentedLagrangian : public ContactMethod
   {
   public:
@@ -32,13 +36,13 @@ namespace Signorini
     PressureShift
     pressure_shift() const override
     {
-      return loop == Loop::Newton ? PressureShift::multiplier : PressureShift::last_pressure;
+      return has_multipliers() ? PressureShift::multiplier : PressureShift::last_pressure;
     }
 
     bool
     has_multipliers() const override
     {
-      return loop == Loop::Newton;
+      return loop.value_or(has_friction ? Loop::Newton : Loop::Uzawa) == Loop::Newton;
     }
 
     double
@@ -48,8 +52,8 @@ namespace Signorini
     }
 
   private:
-    PenaltyFactor penalty_factor;
-    Loop          loop = Loop::Uzawa;
+    PenaltyFactor       penalty_factor;
+    std::optional<Loop> loop; ///< empty: chosen
   };
 
 
@@ -64,8 +68,8 @@ namespace Signorini
     section.add_choice(
       "Scheme",
       loop,
-      {{"Uzawa", Loop::Uzawa}, {"Newton", Loop::Newton}},
-      "Uzawa: a sequence of penalty solutions with updates of the multiplier; Newton: displacement and multiplier are solved simultaneously");
+      or_auto<Loop>({{"Uzawa", Loop::Uzawa}, {"Newton", Loop::Newton}}),
+      "Uzawa: a sequence of penalty solutions with updates of the multiplier; Newton: displacement and multiplier are solved simultaneously; auto: Newton with friction, else Uzawa");
   }
 
 
