@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "linear_algebra/ordered_lu.h"
-
+#include "linear_algebra/direct_solver.h"
 #include "linear_algebra/entries.h"
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/values.h"

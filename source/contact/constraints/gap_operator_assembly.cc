@@ -2,7 +2,6 @@
 #include "contact/constraints/condensed_columns.h"
 #include "contact/constraints/contact_rows.h"
 #include "contact/constraints/gap_operator.h"
-#include "contact/constraints/symmetry_slip.h"
 #include "contact/constraints/tangents.h"
 #include "contact/traction/normal_stress.h"
 #include "linear_algebra/diagonal.h"

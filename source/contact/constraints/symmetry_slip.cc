@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/constraints/symmetry_slip.h"
-
+// The slip at nodes on planes of symmetry.
+#include "contact/constraints/tangents.h"
 #include "linear_algebra/columns.h"
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/values.h"

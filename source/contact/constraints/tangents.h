@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/constraints/contact_rows.h"
+#include "contact/constraints/gap_operator.h"
 #include "contact/interface/surface.h"
 #include "contact/search/boundary_faces.h"
 #include "contact/search/vectors_across.h"
@@ -86,4 +87,17 @@ namespace Signorini
 
     std::vector<LA::Vector> normals; ///< component by component, with ghosts; not of unit length
   };
+
+  /// Remove the slip across planes of symmetry from the rows of slave nodes on them, where supports
+  /// hold the slave and the master there in the same direction. There is none between the surfaces,
+  /// and no traction in that direction, by symmetry. But of a multiplier at such a node, whose own
+  /// motion is prescribed, only the motion of master nodes beside the plane would be left in the
+  /// weighted slip, which would hold these. Collective.
+  /// @param tangents of the rows
+  /// @param contact with B, rows of the slip and offsets; changed
+  template <int dim>
+  void
+  remove_slip_across_symmetry_planes(const Elasticity<dim> &elasticity,
+                                     const Tangents<dim>   &tangents,
+                                     GapOperator           &contact);
 } // namespace Signorini
