@@ -289,6 +289,21 @@ namespace
     return result;
   }
 
+  /// Points at slave nodes that supports hold, whose rows may have no slip across a plane of
+  /// symmetry: 1, else 0.
+  template <int dim>
+  LA::Vector
+  held_points(const SmallScene<dim> &scene)
+  {
+    LA::Vector result = scene.gap_operator().zero();
+    auto       node   = scene.gap_operator().origin.node.begin();
+    if (!scene.gap_operator().origin.node.empty())
+      for (const auto i : result.locally_owned_elements())
+        result(i) = scene.elasticity->constrained_nodes().count(*node++);
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
   template <int dim>
   void
   check_kinematics(const Case &which, const Sampling sampling)
@@ -310,9 +325,12 @@ namespace
     });
     const auto       slip = slip_in_space<dim>(contact, u);
     const LA::Vector gap = contact.gap(u), rest = contact.initial_gap;
+    const LA::Vector held     = held_points(scene);
     double           slip_off = 0, gap_off = 0;
     for (const auto i : gap.locally_owned_elements())
       {
+        if (held(i) > 0)
+          continue;
         Tensor<1, dim> n, s;
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -693,10 +711,15 @@ namespace
     const LA::Vector       v          = scene->rough_field(1, 1.1);
     elasticity.distribute(u);
     const auto tractions_at_points = [&] {
-      PointVectors result = scene->gap_operator().zeros();
-      result[0]           = 0.4;
+      PointVectors result   = scene->gap_operator().zeros();
+      result[0]             = 0.4;
+      const LA::Vector held = held_points(*scene);
       for (unsigned int a = 1; a < dim; ++a)
-        result[a] = 2.3 - 1.9 * a;
+        {
+          for (const auto i : held.locally_owned_elements())
+            result[a](i) = held(i) > 0 ? 0. : 2.3 - 1.9 * a;
+          result[a].compress(VectorOperation::insert);
+        }
       return result;
     };
     const auto force_at = [&](const double a) {

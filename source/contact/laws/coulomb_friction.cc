@@ -96,7 +96,7 @@ namespace Signorini
   {
     LawVector    result = normal.trial(point, in);
     const double c = parameter(point), elastic = elastic_compliance(point);
-    if (elastic > 0)
+    if (has_multiplier())
       result[0] = in.traction[0] - c * (in.gap[0] + elastic * in.traction[0]);
     for (unsigned int a = 1; a < n_components(); ++a)
       {
@@ -144,8 +144,8 @@ namespace Signorini
   // the traction along them is undetermined: a compliance far below the accuracy of solutions makes
   // it zero.
   //
-  // The chain rule: the trial depends on the gap by -eps or -c, on the slip by -c, and on an
-  // unknown traction by 1, less c times its elastic compliance.
+  // The chain rule: the trial depends on gap and slip by -c, and on an unknown traction by 1, less
+  // c times its elastic compliance.
   LawResponse
   CoulombFriction::response(const Index point, const LawInput &in, const ContactStatus status) const
   {
@@ -175,13 +175,11 @@ namespace Signorini
         slip = std::hypot(slip, lost);
         for (unsigned int b = 0; b < n; ++b)
           {
-            // By the pressure with the penalty of the normal law, by the slip with the parameter.
-            const double by_trial        = allowed.by_trial[a][b],
-                         stiffness       = b == 0 && elastic == 0 ? normal.epsilon(point) : c;
-            result.residual_by_gap[a][b] = by_trial * stiffness / c;
+            const double by_trial        = allowed.by_trial[a][b];
+            result.residual_by_gap[a][b] = by_trial;
             if (!has_multiplier())
               {
-                result.by_gap[a][b]    = -stiffness * by_trial;
+                result.by_gap[a][b]    = -c * by_trial;
                 result.by_stress[a][b] = shift == PressureShift::normal_stress ? by_trial : 0;
                 continue;
               }
