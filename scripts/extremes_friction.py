@@ -435,7 +435,8 @@ def meshes(runs):
                                                                (0.0, 0.3),
                                                                ("penalty", "Lagrange multiplier", "augmented Lagrangian",
                                                                 "direct elimination")):
-        layers(runs, "friction: hanging nodes", f"3D, degree {degree}, {name}, mu {mu:g}", method, levels=1, cells=(6, 6), dim=3,
+        axis = "friction: hanging nodes at held edges" if place[1] == 0 else "friction: hanging nodes"
+        layers(runs, axis, f"3D, degree {degree}, {name}, mu {mu:g}", method, levels=1, cells=(6, 6), dim=3,
                degree=degree,
                across=(2, 2), mu=mu, place=place, path=((1, 1, 0), (2, 1, 0.15), (3, 1, 0.6)))
     for method in FEW:
@@ -534,8 +535,8 @@ def sliding(runs):
     for factor, method in itertools.product((0.99, 1.01), METHODS):
         layers(runs, "friction: limit of sliding", f"force {factor:g}, together with the press", method, cells=(3, 3), force=True,
                path=((1, 1, 0.3 * factor),), exists=factor <= 1)
-        layers(runs, "friction: limit of sliding", f"force {factor:g}, 3D, across the axes", method, cells=(2, 2) if method == "direct elimination" else (2, 3), force=True,
-               dim=3,
+        layers(runs, "friction: limit of sliding", f"force {factor:g}, 3D, across the axes", method,
+               cells=(2, 2) if method == "direct elimination" else (2, 3), force=True, dim=3,
                path=((1, 1, 0), (2, 1, 0.18 * factor, 0.24 * factor)), exists=factor <= 1)
 
 

@@ -62,15 +62,17 @@ namespace Signorini
   {
     // A single load step is the solution that was estimated, but other quantities than those of the
     // targets are read from it, too; of several load steps, some may have almost no forces, to
-    // which the tolerance is relative. Hence the upper bound.
-    constexpr double largest_tolerance = 1e-5;
+    // which the tolerance is relative. Hence the upper bound. The tolerance for which a target was
+    // met by a little may not suffice on another path to the solution: hence a tenth of it.
+    constexpr double largest_tolerance = 1e-5, margin = 0.1;
     const bool       is_one            = scene.load_steps.ends().size() == 1;
     // The meshes before were made for the end of the history, whose state no path has led to.
     if (position.step == 0 && problem.equilibrium->is_path_dependent() && problem.state.time > 0)
       return_to_start();
     const double final_tolerance =
       scene.goals.has_targets() && is_one ?
-        std::max(std::min(refinement.tolerance, largest_tolerance), scene.newton.tolerance) :
+        std::max(std::min(margin * refinement.tolerance, largest_tolerance),
+                 scene.newton.tolerance) :
         scene.newton.tolerance;
     apply_load_history(final_tolerance, position, [&](const unsigned int step) {
       // Meshes that were made for other load steps may be too coarse for the last one by a little.
