@@ -65,7 +65,7 @@ namespace Signorini
     // which the tolerance is relative. Hence the upper bound. The tolerance for which a target was
     // met by a little may not suffice on another path to the solution: hence a tenth of it.
     constexpr double largest_tolerance = 1e-5, margin = 0.1;
-    const bool       is_one            = scene.load_steps.ends().size() == 1;
+    const bool       is_one = scene.load_steps.ends().size() == 1;
     // The meshes before were made for the end of the history, whose state no path has led to.
     if (position.step == 0 && problem.equilibrium->is_path_dependent() && problem.state.time > 0)
       return_to_start();
