@@ -88,9 +88,9 @@ namespace Signorini
             const Tangents<dim>                    *tangents,
             const GapOperator                      &contact)
     {
-      LA::Vector sum;
-      sum.reinit(rows.owned, rows.writable, contact.weight.get_mpi_communicator(), true);
-      PointVectors sums(contact.n_components(), sum), result = contact.zeros();
+      PointVectors result = contact.zeros(), sums(result.size());
+      for (LA::Vector &sum : sums)
+        sum.reinit(rows.owned, rows.writable, contact.weight.get_mpi_communicator(), true);
       for_each_share(rows,
                      surfaces,
                      tangents,
