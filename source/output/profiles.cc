@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "fields/friction_fields.h"
 #include "fields/recovered_pressure.h"
 #include "output/directory.h"
 #include "output/files.h"
@@ -21,21 +22,44 @@ namespace Signorini
   namespace
   {
     constexpr char columns[] = "x,y,z,pressure,gap,status,initial_gap,normal_x,normal_y,normal_z";
+    constexpr char friction_columns[] =
+      ",tangential_x,tangential_y,tangential_z,slip_x,slip_y,slip_z,stick";
 
-    using Line = std::array<double, 10>; // one number a column
+    // One number a column. Without friction the last ones are not used.
+    using Line                            = std::array<double, 17>;
+    constexpr unsigned int n_frictionless = 10;
 
 
 
-    // @return the contact points of a pair on this rank, ten numbers for each.
+    // @return the number of columns of all profiles.
+    template <int dim>
+    unsigned int
+    n_columns_of(const Snapshot<dim> &snapshot)
+    {
+      return snapshot.contact.n_components() > 1 ? std::tuple_size<Line>::value : n_frictionless;
+    }
+
+
+
+    // @return the contact points of a pair on this rank, a number a column for each.
     template <int dim>
     std::vector<double>
     own_lines(const Snapshot<dim> &snapshot, const unsigned int pair)
     {
-      const GapOperator  &contact = snapshot.contact;
-      std::vector<double> numbers;
-      const IndexSet      rows  = snapshot.pressure.locally_owned_elements();
-      auto                row   = rows.begin();
-      const LA::Vector   &nodal = recovered_pressure(snapshot, pair);
+      const GapOperator      &contact = snapshot.contact;
+      std::vector<double>     numbers;
+      const IndexSet          rows         = snapshot.pressure.locally_owned_elements();
+      auto                    row          = rows.begin();
+      const LA::Vector       &nodal        = recovered_pressure(snapshot, pair);
+      const bool              has_friction = n_columns_of(snapshot) > n_frictionless;
+      std::vector<LA::Vector> slip, at_points, at_nodes; // in space
+      if (has_friction)
+        {
+          const PointVectors &t = snapshot.contact_state.traction;
+          slip                  = in_space(snapshot, slip_at_points(snapshot));
+          at_points             = in_space(snapshot, {t.begin() + 1, t.end()});
+          at_nodes              = tangential_traction(snapshot, pair);
+        }
       for (unsigned int k = 0; k < contact.origin.pair.size(); ++k, ++row)
         if (contact.origin.pair[k] == pair)
           {
@@ -52,27 +76,38 @@ namespace Signorini
               numbers.push_back((*v)(*row));
             for (unsigned int d = 0; d < 3; ++d)
               numbers.push_back(d < dim ? normal[d] : 0.);
+            if (!has_friction)
+              continue;
+            for (unsigned int d = 0; d < 3; ++d)
+              numbers.push_back(d >= dim                    ? 0. :
+                                contact.origin.node.empty() ? at_points[d](*row) :
+                                                              at_nodes[d](contact.origin.node[k]));
+            for (unsigned int d = 0; d < 3; ++d)
+              numbers.push_back(d < dim ? slip[d](*row) : 0.);
+            numbers.push_back(
+              status_of(snapshot.contact_state.status(*row)) == ContactStatus::stick ? 1. : 0.);
           }
       return numbers;
     }
 
 
 
-    // @return all contact points of a pair, on rank 0, where they have to fit into memory: ten
+    // @return all contact points of a pair, on rank 0, where they have to fit into memory: some
     // numbers for each point of the surface are little compared with the share of the volume of any
     // rank.
     template <int dim>
     std::vector<Line>
     gather_lines(const Snapshot<dim> &snapshot, const unsigned int pair)
     {
-      std::vector<Line> lines;
+      std::vector<Line>  lines;
+      const unsigned int n_values = n_columns_of(snapshot);
       for (const std::vector<double> &numbers :
            Utilities::MPI::gather(snapshot.elasticity.mesh().communicator(),
                                   own_lines(snapshot, pair)))
-        for (std::size_t i = 0; i < numbers.size(); i += std::tuple_size<Line>::value)
+        for (std::size_t i = 0; i < numbers.size(); i += n_values)
           {
             lines.emplace_back();
-            std::copy_n(numbers.begin() + i, lines.back().size(), lines.back().begin());
+            std::copy_n(numbers.begin() + i, n_values, lines.back().begin());
           }
       return lines;
     }
@@ -156,14 +191,16 @@ namespace Signorini
     template <int dim>
     std::string
     as_text(const std::vector<Line>              &lines,
+            const unsigned int                    n_values,
             const std::optional<Expression<dim>> &reference,
             const double                          time)
     {
       std::ostringstream out;
-      out << columns << (reference ? ",reference" : "") << '\n';
+      out << columns << (n_values > n_frictionless ? friction_columns : "")
+          << (reference ? ",reference" : "") << '\n';
       for (const Line &line : lines)
         {
-          for (unsigned int i = 0; i < line.size(); ++i)
+          for (unsigned int i = 0; i < n_values; ++i)
             out << (i > 0 ? "," : "") << number_text(line[i]);
           Point<dim> x;
           for (unsigned int d = 0; d < dim; ++d)
@@ -188,7 +225,8 @@ namespace Signorini
     std::optional<Expression<dim>> reference;
     if (!reference_pressure.empty())
       reference.emplace(reference_pressure);
-    const bool writes =
+    const unsigned int n_values = n_columns_of(snapshot);
+    const bool         writes =
       Utilities::MPI::this_mpi_process(snapshot.elasticity.mesh().communicator()) == 0;
     const std::string of_step = directory + "/step-" + Utilities::int_to_string(snapshot.step, 4);
     if (writes)
@@ -198,7 +236,7 @@ namespace Signorini
         const std::vector<Line> lines = gather_lines(snapshot, p);
         if (!writes)
           continue;
-        const std::string text = as_text<dim>(sorted(lines), reference, snapshot.time);
+        const std::string text = as_text<dim>(sorted(lines), n_values, reference, snapshot.time);
         for (const std::string &folder : {of_step, directory})
           replace_file(folder + "/" + snapshot.pairs[p].name + ".csv", text);
       }
