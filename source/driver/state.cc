@@ -90,12 +90,12 @@ namespace Signorini
     for (const SurfacePoints &face : contact.origin.places)
       {
         std::vector<SurfacePointValue> values;
-        for (const auto &[place, rows] : face.places)
+        for (const SurfacePlace &place : face.places)
           {
             SurfacePointValue value;
-            value.place = place;
+            value.place = place.point;
             value.history.assign(history.size(), 0.);
-            for (const auto &[row, weight] : rows)
+            for (const auto &[row, weight] : place.rows)
               {
                 value.pressure += weight * p(row);
                 value.status = std::max(value.status, double(s(row)));
@@ -137,11 +137,11 @@ namespace Signorini
     for (LA::Vector &sum : sums)
       sum.reinit(owned, comm);
     for (const SurfacePoints &face : contact.origin.places)
-      for (const auto &[place, rows] : face.places)
-        if (rows.size() == 1)
-          if (const auto value = known.at(face.id, place))
+      for (const SurfacePlace &place : face.places)
+        if (place.is_row)
+          if (const auto value = known.at(face.id, place.point))
             {
-              const auto row = rows.front().first;
+              const auto row = place.rows.front().first;
               sums[0](row) += 1;
               sums[1](row) += value->pressure;
               sums[2](row) += value->status;

@@ -89,7 +89,7 @@ namespace Signorini
               if (point.face != face)
                 rows.places.push_back({face_id(p, surfaces[p].slave_faces[point.face]), {}});
               face = point.face;
-              rows.places.back().places.push_back({place_at<dim>(point.xi), {{*row, 1.}}});
+              rows.places.back().places.push_back({place_at<dim>(point.xi), {{*row, 1.}}, true});
               ++row;
             }
         }
@@ -168,6 +168,36 @@ namespace Signorini
       return result;
     }
 
+    /// Give the places of nodes whose normal displacement is prescribed the rows of the nearest
+    /// other places, in equal parts, as PressureBasis does with their functions.
+    template <int dim>
+    void
+    complete_places(const SlaveFace<dim> &face, std::vector<SurfacePlace> &places)
+    {
+      const std::vector<SurfacePlace> known  = places;
+      const auto                      square = [](const SurfacePoint &a, const SurfacePoint &b) {
+        return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+      };
+      for (unsigned int k = 0; k < places.size(); ++k)
+        {
+          if (!places[k].rows.empty() || !face.without_pressure[k] || face.under_covered[k])
+            continue;
+          double smallest = std::numeric_limits<double>::max();
+          for (const SurfacePlace &other : known)
+            if (!other.rows.empty())
+              smallest = std::min(smallest, square(other.point, places[k].point));
+          unsigned int n = 0;
+          for (const SurfacePlace &other : known)
+            if (!other.rows.empty() && square(other.point, places[k].point) < smallest + 1e-10)
+              {
+                ++n;
+                places[k].rows.insert(places[k].rows.end(), other.rows.begin(), other.rows.end());
+              }
+          for (auto &entry : places[k].rows)
+            entry.second /= n;
+        }
+    }
+
     /// The nodes of slave faces as surface points.
     template <int dim>
     std::vector<SurfacePoints>
@@ -182,17 +212,28 @@ namespace Signorini
             if (face.degree == 0)
               continue;
             result.push_back({face_id(p, face), {}});
-            // A hanging node has the value that its masters give it, as a combination of rows.
-            const auto lattice = face_lattice<dim>(face.degree);
+            std::vector<SurfacePlace> &places  = result.back().places;
+            const auto                 lattice = face_lattice<dim>(face.degree);
             for (unsigned int k = 0; k < face.nodes.size(); ++k)
               {
+                // A hanging node has the value that its masters give it. Where one of them has no
+                // row, since its normal displacement is prescribed or the master does not cover
+                // it, the others take its weight.
                 SparseRow nodes = {{face.nodes[k], 1.}}, rows;
                 condense_hanging_nodes(elasticity.hanging_nodes(), nodes);
+                const bool hangs = nodes.front().first != face.nodes[k] || nodes.size() > 1;
+                double     found = 0;
                 for (const auto &[node, weight] : nodes)
                   if (const auto row = row_of.find({p, node}); row != row_of.end())
-                    rows.emplace_back(row->second, weight);
-                result.back().places.emplace_back(place_at<dim>(lattice[k]), rows);
+                    {
+                      rows.emplace_back(row->second, weight);
+                      found += weight;
+                    }
+                for (auto &entry : rows)
+                  entry.second += (1 - found) / rows.size();
+                places.push_back({place_at<dim>(lattice[k]), rows, !hangs && rows.size() == 1});
               }
+            complete_places(face, places);
           }
       return result;
     }

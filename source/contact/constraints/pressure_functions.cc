@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace Signorini
@@ -25,7 +26,12 @@ namespace Signorini
                    const Point<dim - 1>         &xi)
   {
     // A node carries pressure if its displacement has a free component along the normal, and if its
-    // function has an area on the axis of axisymmetric models.
+    // function has an area on the axis of axisymmetric models. Hanging nodes move with the nodes
+    // that constrain them, which have the same normal up to the curvature of the face.
+    if (const auto *entries = elasticity.hanging_nodes().get_constraint_entries(first))
+      return std::any_of(entries->begin(), entries->end(), [&](const auto &entry) {
+        return carries_pressure(elasticity, entry.first, degree, face, xi);
+      });
     const auto node = elasticity.constrained_nodes().find(first);
     if (node != elasticity.constrained_nodes().end() &&
         node->second.free_part(face.normal(xi)).norm() < 0.1)
@@ -62,6 +68,66 @@ namespace Signorini
                 measure(model, patch.position(rule.point(q)));
       return area;
     }
+
+    /// Condenses the hanging nodes of pressure functions on one slave face. A hanging node may
+    /// depend on a node that carries no pressure: the nodes beside it on the coarser face that do
+    /// take its weight in equal parts, so that functions still sum up to one, as PressureBasis does
+    /// for nodes of the face itself.
+    template <int dim>
+    class HangingPressure
+    {
+    public:
+      /// @param degree of the element
+      /// @param all_carry also nodes with a prescribed normal displacement carry pressure
+      HangingPressure(const Elasticity<dim>       &elasticity,
+                      const std::vector<FaceNode> &nodes,
+                      const unsigned int           degree,
+                      const FacePatch<dim>        &patch,
+                      const bool                   all_carry)
+      {
+        for (const FaceNode &node : nodes)
+          if (const auto *entries = elasticity.hanging_nodes().get_constraint_entries(node.index))
+            {
+              Point<dim - 1> xi;
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                xi[d] = node.xi[d];
+              SparseRow carriers;
+              double    others = 0;
+              for (const auto &[master, weight] : *entries)
+                if (all_carry || carries_pressure(elasticity, master, degree, patch, xi))
+                  carriers.emplace_back(master, weight);
+                else
+                  others += weight;
+              for (auto &carrier : carriers)
+                carrier.second += others / carriers.size();
+              masters.emplace(node.index, carriers);
+            }
+      }
+
+      /// Replace hanging nodes by carriers of pressure. @param row sorted if it had any
+      void
+      condense(SparseRow &row) const
+      {
+        SparseRow result;
+        bool      any = false;
+        for (const auto &[node, value] : row)
+          if (const auto hangs = masters.find(node); hangs != masters.end())
+            {
+              any = true;
+              for (const auto &[master, weight] : hangs->second)
+                result.emplace_back(master, weight * value);
+            }
+          else
+            result.emplace_back(node, value);
+        if (!any)
+          return;
+        sum_duplicates(result);
+        row = result;
+      }
+
+    private:
+      std::map<types::global_dof_index, SparseRow> masters;
+    };
 
     /// The nodes of a face, with their parameters, their share of the area of a parallelogram face,
     /// and whether they carry pressure.
@@ -130,12 +196,15 @@ namespace Signorini
             shapes.push_back(trace.unresolved_shape(paired_points[last].xi));
             weights.push_back(points[last].weight);
           }
-        auto       nodes = face_nodes(elasticity, cell, face, slave.patches[points[first].face]);
-        const bool all_prescribed =
+        const FacePatch<dim> &patch = slave.patches[points[first].face];
+        auto                  nodes = face_nodes(elasticity, cell, face, patch);
+        const bool            all_prescribed =
           std::all_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.prescribed; });
         if (all_prescribed && !must_balance)
           for (FaceNode &node : nodes)
             node.prescribed = false;
+        const HangingPressure<dim> hanging(
+          elasticity, nodes, cell->get_fe().degree, patch, all_prescribed && !must_balance);
         const double        area = area_of(slave.rest[points[first].face], elasticity.model());
         const PressureBasis basis(nodes, shapes, weights, area, kind);
         // The basis in which pressures are evaluated for the output is the standard one also where
@@ -156,16 +225,16 @@ namespace Signorini
             SparseRow &shape =
               edge_points[edge_point - paired_edge_points.begin()].multiplier_shape;
             shape = basis.at(trace.unresolved_shape(edge_point->xi));
-            condense_hanging_nodes(elasticity.hanging_nodes(), shape);
+            hanging.condense(shape);
           }
         for (unsigned int q = first; q < last; ++q)
           {
             points[q].multiplier_shape = basis.at(shapes[q - first]);
-            condense_hanging_nodes(elasticity.hanging_nodes(), points[q].multiplier_shape);
+            hanging.condense(points[q].multiplier_shape);
             if (kind == Basis::standard)
               continue;
             points[q].interpolation = standard.at(shapes[q - first]);
-            condense_hanging_nodes(elasticity.hanging_nodes(), points[q].interpolation);
+            hanging.condense(points[q].interpolation);
           }
       }
     return result;

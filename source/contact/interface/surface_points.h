@@ -34,14 +34,22 @@ namespace Signorini
   /// The parameters of a point of a face, in [0,1]; those of a line have a zero behind.
   using SurfacePoint = std::array<double, 2>;
 
-  /// The contact points on a slave face: each position, with the rows of the gap operator that
-  /// determine the value there: one row, or those that a hanging node is condensed to, with their
-  /// weights; none where there is no projection.
+  /// A position on a slave face, and the rows of the gap operator that determine the value there,
+  /// with their weights.
+  struct SurfacePlace
+  {
+    SurfacePoint point;
+    /// The row at this position, or those that a hanging node or a node without pressure of its own
+    /// depends on; none where there is no projection.
+    std::vector<std::pair<dealii::types::global_dof_index, double>> rows;
+    /// True if this is the position of the row, which is then the only one.
+    bool is_row;
+  };
+
+  /// The contact points on a slave face.
   struct SurfacePoints
   {
-    FaceId id;
-    std::vector<
-      std::pair<SurfacePoint, std::vector<std::pair<dealii::types::global_dof_index, double>>>>
-      places;
+    FaceId                    id;
+    std::vector<SurfacePlace> places;
   };
 } // namespace Signorini
