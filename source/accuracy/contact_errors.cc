@@ -72,7 +72,7 @@ namespace Signorini
         if (s.gap(i) <= closed && !can_move(s.contact.B_free, row))
           {
             // A reaction is written with a lift: its derivative by pressures is contained in that.
-            const double direct = functional.lift.size() > 0 ? 0. : functional.of_pressure(i);
+            const double direct = functional.lift.size() > 0 ? 0. : functional.of_traction[0](i);
             sum += std::abs(s.contact.weight(i) * felt(i) + direct) *
                    std::max(mean[*pair], s.pressure(i));
           }
@@ -92,7 +92,7 @@ namespace Signorini
     LA::Vector
     by_pressure(const Snapshot<dim> &s, const Functional &functional, const unsigned int pair)
     {
-      LA::Vector density = functional.of_pressure;
+      LA::Vector density = functional.of_traction[0];
       if (functional.lift.size() > 0)
         density = 0;
       for (const auto i : density.locally_owned_elements())

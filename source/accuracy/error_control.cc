@@ -100,18 +100,23 @@ namespace Signorini
                  short_text(100 * model / std::abs(histories[i].last().value)) +
                  " %, because contact is evaluated in the reference configuration; set Contact "
                  "method/Contact geometry = updated";
+        if (const double path = histories[i].last().parts.path; path > 0.9 * allowed(i))
+          return name + " changes by " +
+                 short_text(100 * path / std::abs(histories[i].last().value)) +
+                 " % with the length of the load steps, since friction depends on the path; set Load "
+                 "steps/Number (or Times) to more load steps";
       }
     return {};
   }
 
 
 
-  // What the model error, which no mesh reduces, leaves of the target; a fifth of the target at
+  // What the errors of model and path, which no mesh reduces, leave of the target; a fifth of the target at
   // least.
   double
   ErrorControl::allowed_of_mesh(const unsigned int i) const
   {
-    return std::max(0.2 * allowed(i), allowed(i) - std::abs(histories[i].last().parts.model));
+    return std::max(0.2 * allowed(i), allowed(i) - histories[i].last().parts.of_model_and_path());
   }
 
 
@@ -195,7 +200,8 @@ namespace Signorini
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
         const double error_bound =
-          histories[i].last_bounded().error_bound - std::abs(histories[i].last().parts.model);
+          histories[i].last_bounded().error_bound -
+          histories[i].last().parts.of_model_and_path();
         result = std::max(result, error_bound / allowed_of_mesh(i));
       }
     return result;

@@ -12,16 +12,22 @@ namespace Signorini
   namespace
   {
     /// @return the sum of zeta W g over active points, (8.10): the change of the quantity if the
-    /// gaps that a penalty leaves were closed. Collective.
+    /// gaps that a penalty leaves were closed. With friction also the elastic slip, which is to the
+    /// tangential traction as the gap is to the pressure. Collective.
     template <int dim>
     double
-    of_open_gaps(const Snapshot<dim> &s, const LA::Vector &zeta)
+    of_open_gaps(const Snapshot<dim> &s, const PointVectors &zeta)
     {
       double sum = 0;
-      for (const auto i : zeta.locally_owned_elements())
+      for (const auto i : s.gap.locally_owned_elements())
         if (s.active(i) > 0)
-          sum += zeta(i) * s.contact.weight(i) * s.gap(i);
-      return Utilities::MPI::sum(sum, zeta.get_mpi_communicator());
+          {
+            double change = zeta[0](i) * s.gap(i);
+            for (unsigned int a = 1; a < zeta.size() && s.pressure(i) > 0; ++a)
+              change += zeta[a](i) * s.contact_state.traction[a](i) * s.gap(i) / s.pressure(i);
+            sum += s.contact.weight(i) * change;
+          }
+      return Utilities::MPI::sum(sum, s.gap.get_mpi_communicator());
     }
 
     /// @return the first of (8.11): minus the sum of (B z) W p over points in tension that are not
@@ -52,6 +58,7 @@ namespace Signorini
                  const std::vector<Functional>   &functionals,
                  const std::vector<DualSolution> &duals,
                  const bool                       is_consistent,
+                 const std::vector<double>       &path,
                  const double                     neglected)
   {
     const MPI_Comm comm = snapshot.elasticity.mesh().communicator();
@@ -108,10 +115,11 @@ namespace Signorini
         one.absolute       = Utilities::MPI::sum(absolute, comm);
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
         if (!is_consistent)
-          one.parts.enforcement = of_open_gaps(snapshot, duals[i].zeta[0]);
+          one.parts.enforcement = of_open_gaps(snapshot, duals[i].zeta);
         one.parts.nonlinear = of_tension(snapshot, displacements[i]);
         one.parts.algebraic = duals[i].remainder;
         one.parts.model     = neglected * std::abs(one.value);
+        one.parts.path      = path.empty() ? 0. : path[i] * std::abs(one.value);
         result.iterations += duals[i].iterations;
         result.quantities.push_back(one);
       }
@@ -125,11 +133,13 @@ namespace Signorini
                  const std::vector<Functional> &,
                  const std::vector<DualSolution> &,
                  bool,
+                 const std::vector<double> &,
                  double);
   template ErrorEstimate
   error_estimate(const Snapshot<3> &,
                  const std::vector<Functional> &,
                  const std::vector<DualSolution> &,
                  bool,
+                 const std::vector<double> &,
                  double);
 } // namespace Signorini

@@ -29,6 +29,7 @@ namespace Signorini
   /// @param duals their dual solutions
   /// @param is_consistent whether the contact method closes gaps as the mesh is refined, whatever
   /// its parameter; then there is no error of enforcement
+  /// @param path relative errors of the quantities by the length of load steps; empty: none
   /// @param neglected relative change of the pressure by which contact in the reference
   /// configuration is wrong, (5.21)
   /// @return errors of the cells and of all quantities
@@ -38,5 +39,6 @@ namespace Signorini
                  const std::vector<Functional>   &functionals,
                  const std::vector<DualSolution> &duals,
                  bool                             is_consistent,
+                 const std::vector<double>       &path,
                  double                           neglected);
 } // namespace Signorini

@@ -44,7 +44,6 @@ namespace Signorini
   {
     constexpr double        rounding = 1e-9;
     const QuantityEstimate &now      = last();
-    const double            model    = std::abs(now.parts.model);
     const double            rest = std::abs(now.parts.enforcement) + std::abs(now.parts.algebraic) +
                         std::abs(now.parts.nonlinear);
     const double correction = std::abs(now.parts.correction());
@@ -68,7 +67,8 @@ namespace Signorini
       error_bound = std::max({error_bound,
                               now.cauchy_schwarz_bound / 3,
                               now.is_regularised ? 0.25 * now.energy * std::abs(now.value) : 0.});
-    return {now.value, error_bound + now.unresolved + model + rounding * std::abs(now.value)};
+    return {now.value, error_bound + now.unresolved + now.parts.of_model_and_path() +
+                         rounding * std::abs(now.value)};
   }
 
 
@@ -119,7 +119,7 @@ namespace Signorini
       return {};
     return BoundedValue{corrected[2],
                         std::max(error_bound, 0.25 * std::abs(correction[2])) +
-                          std::abs(last().parts.model)};
+                          last().parts.of_model_and_path()};
   }
 
 

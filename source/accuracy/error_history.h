@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -18,12 +19,21 @@ namespace Signorini
     double enforcement = 0;
     /// Contact in the reference configuration, (8.12); a size without sign.
     double model = 0;
+    /// Length of the load steps, with friction, (8.18); a size without sign.
+    double path = 0;
     /// Points in tension on the active set with which the iteration ended, (8.11).
     double nonlinear = 0;
     /// Residual that the linear solver left, (8.11).
     double algebraic = 0;
 
-    /// @return the sum of all parts but the model error, whose sign is not known.
+    /// @return the sum of the parts that no mesh reduces, and whose signs are not known.
+    double
+    of_model_and_path() const
+    {
+      return std::abs(model) + std::abs(path);
+    }
+
+    /// @return the sum of the other parts.
     double
     correction() const
     {

@@ -75,6 +75,22 @@ namespace Signorini
          ComponentKind::none,
          contact_radius<2>,
          contact_radius<3>},
+        {"friction force",
+         QuantityTarget::pair,
+         ComponentKind::vector,
+         friction_force<2>,
+         friction_force<3>},
+        {"stick area", QuantityTarget::pair, ComponentKind::none, stick_area<2>, stick_area<3>},
+        {"largest slip",
+         QuantityTarget::pair,
+         ComponentKind::none,
+         largest_slip<2>,
+         largest_slip<3>},
+        {"friction work",
+         QuantityTarget::pair,
+         ComponentKind::none,
+         friction_work<2>,
+         friction_work<3>},
         {"reaction", QuantityTarget::support, ComponentKind::vector, reaction<2>, reaction<3>},
         {"motion", QuantityTarget::obstacle, ComponentKind::vector, motion<2>, motion<3>},
         {"displacement",
@@ -222,7 +238,7 @@ namespace Signorini
   {
     Functional result;
     result.of_displacement = s.elasticity.zero_vector();
-    result.of_pressure     = s.contact.zero();
+    result.of_traction     = s.contact.zeros();
     return result;
   }
 
@@ -247,7 +263,8 @@ namespace Signorini
     Functional result      = components.front();
     result.value           = std::sqrt(square);
     result.of_displacement = 0;
-    result.of_pressure     = 0;
+    for (LA::Vector &component : result.of_traction)
+      component = 0;
     if (result.lift.size() > 0)
       result.lift = 0;
     // The norm of a vector that is zero has no derivative: that of the sum of the components is
@@ -256,7 +273,8 @@ namespace Signorini
       {
         const double share = result.value > 0 ? one.value / result.value : 1;
         result.of_displacement.add(share, one.of_displacement);
-        result.of_pressure.add(share, one.of_pressure);
+        for (unsigned int a = 0; a < result.of_traction.size(); ++a)
+          result.of_traction[a].add(share, one.of_traction[a]);
         if (result.lift.size() > 0)
           result.lift.add(share, one.lift);
       }

@@ -51,8 +51,9 @@ namespace Signorini
     double value = 0;
     /// Derivative with respect to the free degrees of freedom.
     LA::Vector of_displacement;
-    /// Derivative with respect to the pressures at the contact points.
-    LA::Vector of_pressure;
+    /// Derivative with respect to the tractions at the contact points: the pressure, and with
+    /// friction the components along the tangents.
+    PointVectors of_traction;
     /// A displacement that is subtracted from the dual one, since the functional is written with
     /// it: that of a reaction is one on its support and zero elsewhere. Empty: none.
     LA::Vector lift;

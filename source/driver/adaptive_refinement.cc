@@ -259,6 +259,7 @@ namespace Signorini
                           functionals,
                           duals,
                           is_consistent,
+                          path_errors,
                           problem.equilibrium->uses_current_geometry() ?
                             0. :
                             problem.equilibrium->neglected().value_or(0.));

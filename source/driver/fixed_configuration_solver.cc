@@ -251,7 +251,7 @@ namespace Signorini
     const DualSolution result = solver->newton.dual(state.displacement,
                                                     my_contact,
                                                     functional.of_displacement,
-                                                    functional.of_pressure,
+                                                    functional.of_traction,
                                                     reduction);
     clock.stop();
     return result;

@@ -75,6 +75,13 @@ namespace Signorini
     /// Solve a load step with friction, divided where surfaces first meet.
     bool
     solve_from_touch(double t, double tolerance);
+    /// Measure by how much the quantities change with the length of the load steps, on the present
+    /// mesh, if friction lets them depend on it. Does not change the state.
+    void
+    measure_path_errors();
+    /// The values of the quantities at the present solution.
+    std::vector<double>
+    quantity_values();
     /// True if load steps are chosen for the accuracy of the path.
     bool
     controls_path() const;

@@ -12,27 +12,32 @@ namespace Signorini
 {
   using namespace dealii;
 
-  // The end of the load history in one step, which mostly converges; otherwise in steps from the
-  // undeformed state. Collective.
+  // The end of the load history in one step, which mostly converges; otherwise, and with friction,
+  // in steps from the undeformed state. Collective.
   template <int dim>
   bool
   Simulation<dim>::solve_for_estimate()
   {
-    // Only the end counts, and mostly it is found at once.
-    const double end   = scene.load_steps.end_time;
+    const double end = scene.load_steps.end_time;
+    Position     start;
     refinement.n_steps = 0;
-    if (problem.solve(end, refinement.tolerance))
+    if (problem.equilibrium->is_path_dependent())
+      measure_path_errors();
+    else
       {
-        refinement.n_steps = problem.report().steps.size();
-        return true;
+        // Only the end counts, and mostly it is found at once.
+        if (problem.solve(end, refinement.tolerance))
+          {
+            refinement.n_steps = problem.report().steps.size();
+            return true;
+          }
+        if (problem.report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
+          return false;
+        out << "  no convergence in one load step (" << problem.report().reason
+            << "): applying the load in steps" << std::endl;
+        start.longest = end / 2;
       }
-    if (problem.report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
-      return false;
-    out << "  no convergence in one load step (" << problem.report().reason
-        << "): applying the load in steps" << std::endl;
     return_to_start();
-    Position start;
-    start.longest = end / 2;
     return apply_load_history(refinement.tolerance, start, [&](auto) {
       refinement.n_steps += problem.report().steps.size();
       return true;
@@ -66,6 +71,7 @@ namespace Signorini
     // met by a little may not suffice on another path to the solution: hence a tenth of it.
     constexpr double largest_tolerance = 1e-5, margin = 0.1;
     const bool       is_one = scene.load_steps.ends().size() == 1;
+    measure_path_errors();
     // The meshes before were made for the end of the history, whose state no path has led to.
     if (position.step == 0 && problem.equilibrium->is_path_dependent() && problem.state.time > 0)
       return_to_start();
@@ -78,7 +84,9 @@ namespace Signorini
       // Meshes that were made for other load steps may be too coarse for the last one by a little.
       const bool is_judged =
         is_finished() && (!refinement.end_judged_on || *refinement.end_judged_on == position.cycle);
-      if (scene.goals.judge_all_steps() && !is_judged && !improve_step())
+      // With friction a load step is not repeated on another mesh.
+      if (scene.goals.judge_all_steps() && !problem.equilibrium->is_path_dependent() && !is_judged &&
+          !improve_step())
         return false;
       record_step(step);
       pass_checkpoint();

@@ -167,8 +167,95 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<double>
+  Simulation<dim>::quantity_values()
+  {
+    const Snapshot<dim> now = problem.equilibrium->snapshot(0);
+    std::vector<double> result;
+    for (const QuantityName &name : problem.decisions.quantities())
+      result.push_back(functional(name, now, scene.output.probes).value);
+    return result;
+  }
+
+
+
+  // The load history with its load steps, with halves and with quarters of them, (8.18).
+  template <int dim>
+  void
+  Simulation<dim>::measure_path_errors()
+  {
+    if (!refinement.path_errors.empty() || scene.goals.quantities.empty() ||
+        !problem.equilibrium->is_path_dependent())
+      return;
+    // Estimates of a former run, which was restarted, know it.
+    const std::vector<ErrorHistory> &histories = refinement.control.quantities();
+    if (std::all_of(histories.begin(), histories.end(), [](const ErrorHistory &history) {
+          return history.size() > 0 && history.last().value != 0;
+        }))
+      {
+        for (const ErrorHistory &history : histories)
+          refinement.path_errors.push_back(history.last().parts.path /
+                                           std::abs(history.last().value));
+        return;
+      }
+
+    out << "  the path: the load steps, their halves and their quarters" << std::endl;
+    const State before = problem.state;
+    return_to_start();
+    Position            start;
+    std::vector<double> ends;
+    bool                is_solved = apply_load_history(refinement.tolerance, start, [&](auto) {
+      ends.push_back(start.time);
+      return true;
+    });
+    std::vector<std::vector<double>> values;
+    for (unsigned int parts = 1; is_solved; parts *= 2)
+      {
+        if (parts > 1)
+          {
+            return_to_start();
+            double from = 0;
+            for (const double end : ends)
+              {
+                for (unsigned int k = 1; k <= parts && is_solved; ++k)
+                  is_solved =
+                    solve_from_touch(k == parts ? end : from + k * (end - from) / parts,
+                                     refinement.tolerance);
+                from = end;
+              }
+          }
+        values.push_back(quantity_values());
+        if (parts == 4)
+          break;
+      }
+    problem.equilibrium->return_to(before);
+
+    // The changes decrease with the square root of the length of the load steps at least; a path
+    // that could not be followed with shorter steps is not known at all.
+    constexpr double least = 0.5, most = 0.85, safety = 1.3;
+    for (unsigned int i = 0; i < scene.goals.quantities.size(); ++i)
+      {
+        double &error = refinement.path_errors.emplace_back(1.);
+        if (!is_solved || values.size() < 3)
+          continue;
+        const double first = std::abs(values[1][i] - values[0][i]),
+                     last  = std::abs(values[2][i] - values[1][i]),
+                     size  = std::max({std::abs(values[0][i]),
+                                       std::abs(values[1][i]),
+                                       std::abs(values[2][i]),
+                                       std::numeric_limits<double>::min()}),
+                     ratio = std::clamp(first > 0 ? last / first : most, least, most);
+        error              = safety * (first + last / (1 - ratio)) / size;
+      }
+  }
+
+
+
 #define INSTANTIATE(dim)                                                                           \
   template bool Simulation<dim>::controls_path() const;                                            \
+  template std::vector<double> Simulation<dim>::quantity_values();                                 \
+  template void                Simulation<dim>::measure_path_errors();                             \
   template bool Simulation<dim>::solve_step(double, double, bool);
   INSTANTIATE(2)
   INSTANTIATE(3)

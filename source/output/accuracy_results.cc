@@ -37,6 +37,7 @@ namespace Signorini
                                        {"geometry", last.parts.geometry},
                                        {"enforcement", last.parts.enforcement},
                                        {"model", last.parts.model},
+                                       {"path", last.parts.path},
                                        {"nonlinear", last.parts.nonlinear},
                                        {"algebraic", last.parts.algebraic}};
         one["absolute"]             = last.absolute;
@@ -65,6 +66,7 @@ namespace Signorini
         read.parts.geometry       = parts.at("geometry");
         read.parts.enforcement    = parts.at("enforcement");
         read.parts.model          = parts.at("model");
+        read.parts.path           = parts.value("path", 0.);
         read.parts.nonlinear      = parts.at("nonlinear");
         read.parts.algebraic      = parts.at("algebraic");
         read.absolute             = one.at("absolute");
@@ -86,9 +88,14 @@ namespace Signorini
     std::size_t widest = 8;
     for (const std::string &name : goals.quantities)
       widest = std::max(widest, name.size());
+    const bool has_path =
+      std::any_of(control.quantities().begin(), control.quantities().end(), [](const auto &history) {
+        return history.last().parts.path != 0;
+      });
     std::ostringstream text;
     text << "  " << std::left << std::setw(widest) << "error of" << std::right
-         << "          value    bound     mesh geometry  penalty    model   solver\n";
+         << "          value    bound     mesh geometry  penalty    model   solver"
+         << (has_path ? "     path\n" : "\n");
     for (unsigned int i = 0; i < goals.quantities.size(); ++i)
       {
         const ErrorHistory &history = control.quantities()[i];
@@ -100,7 +107,10 @@ namespace Signorini
              << std::scientific << std::setw(9) << now.error_bound / unit << std::setw(9)
              << parts.discretisation / unit << std::setw(9) << parts.geometry / unit << std::setw(9)
              << parts.enforcement / unit << std::setw(9) << parts.model / unit << std::setw(9)
-             << (parts.algebraic + parts.nonlinear) / unit << std::defaultfloat << "\n";
+             << (parts.algebraic + parts.nonlinear) / unit;
+        if (has_path)
+          text << std::setw(9) << parts.path / unit;
+        text << std::defaultfloat << "\n";
       }
     out << text.str();
   }

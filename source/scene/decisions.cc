@@ -242,7 +242,6 @@ namespace Signorini
 
 
 
-  // Error estimates contain neither the errors of former load steps nor that of the load path.
   template <int dim>
   void
   Decisions<dim>::check_friction() const
@@ -250,10 +249,6 @@ namespace Signorini
     const auto refuse = [](const std::string &key, const std::string &why) {
       throw SceneError(key + ": " + why);
     };
-    if (!scene.goals.quantities.empty())
-      refuse("Accuracy/Quantity = " + scene.goals.quantities.front(),
-             "error estimates are not available with friction; remove Quantity, and compare "
-             "meshes and numbers of load steps");
     for (const ContactPair<dim> &pair : pairs)
       if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
           obstacle && obstacle->shape->depends_on_time() && !pair.friction.is_zero())

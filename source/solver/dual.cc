@@ -91,7 +91,7 @@ namespace Signorini
   Newton::dual(const LA::Vector   &u,
                const ContactState &state,
                const LA::Vector   &of_displacement,
-               const LA::Vector   &of_pressure,
+               const PointVectors &of_traction,
                const double        reduction)
   {
     const PointVectors gaps = contact.gaps(u), s = contact.stress(u, bodies.volumetric_stress());
@@ -108,9 +108,7 @@ namespace Signorini
         for (unsigned int a = 0; a < n_q; ++a)
           left.block(1 + a) = residual[a];
       }
-    PointVectors of_traction = contact.zeros();
-    of_traction[0]           = of_pressure;
-    LA::BlockVector rhs      = gradient(system, law, in, state.status, of_traction);
+    LA::BlockVector rhs = gradient(system, law, in, state.status, of_traction);
     rhs.block(0) += of_displacement;
     bodies.constraints().set_zero(rhs.block(0));
 

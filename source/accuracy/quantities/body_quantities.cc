@@ -84,22 +84,24 @@ namespace Signorini
       result.of_displacement = forces_of(s.elasticity, result.lift);
       if (contact.empty())
         return result;
-      LA::Vector &of_pressure = result.of_pressure;
-      contact.B.vmult(of_pressure, result.lift);
-      of_pressure.scale(contact.weight);
-      of_pressure *= -1;
-      if (contact.has_stress() && contact.theta != 0)
+      for (unsigned int a = 0; a < contact.n_components(); ++a)
         {
-          // Nitsche's method has the additional force theta S^T W (s - p)/eps.
+          LA::Vector &of_traction = result.of_traction[a];
+          contact.rows(a).vmult(of_traction, result.lift);
+          of_traction.scale(contact.weight);
+          of_traction *= -1;
+          if (!contact.has_stress() || contact.theta == 0)
+            continue;
+          // Nitsche's method has the additional force theta S^T W (s - t)/eps.
           LA::Vector by_stress = contact.zero();
-          contact.S[0].vmult(by_stress, result.lift);
+          contact.S[a].vmult(by_stress, result.lift);
           by_stress.scale(contact.weight);
           for (const auto i : by_stress.locally_owned_elements())
             by_stress(i) *= contact.theta / contact.coefficients.epsilon(i);
           by_stress.compress(VectorOperation::insert);
-          of_pressure += by_stress;
+          of_traction += by_stress;
           by_stress *= -1;
-          contact.S_free[0].Tvmult_add(result.of_displacement, by_stress);
+          contact.S_free[a].Tvmult_add(result.of_displacement, by_stress);
         }
       return result;
     }

@@ -3,6 +3,8 @@
 
 #include "accuracy/quantity.h"
 
+#include <functional>
+
 namespace Signorini
 {
   // Evaluation of all kinds of quantities that quantity.cc lists. Each function returns value and
@@ -77,12 +79,58 @@ namespace Signorini
   Functional
   probe_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes);
 
+  /// The part of the contact force of a pair that is due to tangential tractions: its norm or a
+  /// component [force].
+  template <int dim>
+  Functional
+  friction_force(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
+
+  /// The area of a pair in which points stick [area]. Regularised: its derivative is that of the
+  /// integral of m/(m + a quarter of its mean) with m = mu p - |t|.
+  template <int dim>
+  Functional
+  stick_area(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
+
+  /// The largest slip of a pair since its points came into contact [length].
+  template <int dim>
+  Functional
+  largest_slip(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
+
+  /// The work that friction of a pair has taken in all load steps [force*length]. Its derivative is
+  /// that of the last load step.
+  template <int dim>
+  Functional
+  friction_work(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
+
   /// The elastic energy of all bodies, half of int sigma:eps dV.
   template <int dim>
   Functional
   energy(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
   // Functions that several of them use.
+
+  /// @return the index of the pair with a name, which exists.
+  template <int dim>
+  unsigned int
+  number_of_pair(const Snapshot<dim> &s, const std::string &name);
+
+  /// Call visit(row) for all locally owned contact points of a pair.
+  template <int dim>
+  void
+  for_rows(const Snapshot<dim>                                     &s,
+           unsigned int                                             pair,
+           const std::function<void(dealii::types::global_dof_index)> &visit);
+
+  /// Add a component of the friction force of a pair to a functional, if there is friction.
+  /// @param d number of the component
+  /// @param sign factor
+  template <int dim>
+  void
+  add_friction_force(const Snapshot<dim> &s,
+                     unsigned int         pair,
+                     unsigned int         d,
+                     double               sign,
+                     Functional          &sum);
 
   /// @return a functional with the value 0 and zero derivatives of the right size.
   template <int dim>

@@ -17,30 +17,34 @@ namespace Signorini
 {
   using namespace dealii;
 
+  template <int dim>
+  unsigned int
+  number_of_pair(const Snapshot<dim> &s, const std::string &name)
+  {
+    unsigned int pair = 0;
+    while (s.pairs[pair].name != name)
+      ++pair;
+    return pair;
+  }
+
+
+
+  template <int dim>
+  void
+  for_rows(const Snapshot<dim>                              &s,
+           const unsigned int                                pair,
+           const std::function<void(types::global_dof_index)> &visit)
+  {
+    auto which = s.contact.origin.pair.begin();
+    for (const auto i : s.pressure.locally_owned_elements())
+      if (*which++ == pair)
+        visit(i);
+  }
+
+
+
   namespace
   {
-    /// @return the index of the pair with a name, which exists.
-    template <int dim>
-    unsigned int
-    number_of_pair(const Snapshot<dim> &s, const std::string &name)
-    {
-      unsigned int pair = 0;
-      while (s.pairs[pair].name != name)
-        ++pair;
-      return pair;
-    }
-
-    /// Call visit(row) for all locally owned contact points of a pair.
-    template <int dim, typename Visit>
-    void
-    for_rows(const Snapshot<dim> &s, const unsigned int pair, const Visit &visit)
-    {
-      auto which = s.contact.origin.pair.begin();
-      for (const auto i : s.pressure.locally_owned_elements())
-        if (*which++ == pair)
-          visit(i);
-    }
-
     /// @return the functional that is the sum of weight(i) times pressure over the contact points
     /// of a pair.
     template <int dim>
@@ -50,9 +54,9 @@ namespace Signorini
                       const std::function<double(types::global_dof_index i)> &weight)
     {
       Functional result = zero_functional(s);
-      for_rows(s, pair, [&](const auto i) { result.of_pressure(i) = weight(i); });
-      result.of_pressure.compress(VectorOperation::insert);
-      result.value = result.of_pressure * s.pressure;
+      for_rows<dim>(s, pair, [&](const auto i) { result.of_traction[0](i) = weight(i); });
+      result.of_traction[0].compress(VectorOperation::insert);
+      result.value = result.of_traction[0] * s.pressure;
       return result;
     }
 
@@ -80,7 +84,7 @@ namespace Signorini
       // The uncertainty of the edge of contact, in widths of a face.
       const double sharpness = samples_nodes(s.contact) ? 0.15 : 0.5;
       double       force = 0, area = 0;
-      for_rows(s, pair, [&](const auto i) {
+      for_rows<dim>(s, pair, [&](const auto i) {
         if (s.pressure(i) > 0)
           {
             force += s.contact.weight(i) * s.pressure(i);
@@ -103,7 +107,7 @@ namespace Signorini
       if (patch.area > 0)
         result.unresolved = sharpness * power * value * patch.edge / patch.area;
       if (smoothed > 0)
-        result.of_pressure *= power * value / smoothed;
+        result.of_traction[0] *= power * value / smoothed;
       return result;
     }
   } // namespace
@@ -117,13 +121,16 @@ namespace Signorini
     const unsigned int      pair = number_of_pair(s, name.of);
     const double            sign = s.pairs[pair].exchanged ? -1 : 1;
     std::vector<Functional> components;
-    // Radial forces balance around the axis of an axisymmetric model.
     for (unsigned int d = 0; d < dim; ++d)
-      components.push_back(weighted_pressure<dim>(s, pair, [&](const auto i) {
-        return d == 0 && s.elasticity.model() == Model::axisymmetric ?
-                 0. :
-                 sign * s.contact.weight(i) * s.contact.geometry.normal[d](i);
-      }));
+      {
+        // Radial forces balance around the axis of an axisymmetric model.
+        const bool is_zero = d == 0 && s.elasticity.model() == Model::axisymmetric;
+        components.push_back(weighted_pressure<dim>(s, pair, [&](const auto i) {
+          return is_zero ? 0. : sign * s.contact.weight(i) * s.contact.geometry.normal[d](i);
+        }));
+        if (!is_zero)
+          add_friction_force(s, pair, d, sign, components.back());
+      }
     return size_or_component(name, components);
   }
 
@@ -155,11 +162,11 @@ namespace Signorini
     if (patch.edge > 0)
       {
         const Functional area = as_area(s, pair, patch, patch.area, 1.);
-        result.of_pressure.add(-mean, area.of_pressure);
+        result.of_traction[0].add(-mean, area.of_traction[0]);
         result.unresolved     = mean / patch.area * area.unresolved;
         result.is_regularised = true;
       }
-    result.of_pressure /= patch.area;
+    result.of_traction[0] /= patch.area;
     result.value = mean;
     return result;
   }
@@ -193,7 +200,7 @@ namespace Signorini
           area   = Utilities::MPI::sum(area, comm);
         }
       if (area > 0)
-        result.of_pressure /= area;
+        result.of_traction[0] /= area;
       result.is_regularised = true;
       return result;
     }
@@ -245,7 +252,7 @@ namespace Signorini
     // The contact point with the largest pressure on all ranks; of equal ones the first.
     double                  largest = -std::numeric_limits<double>::max();
     types::global_dof_index row     = numbers::invalid_dof_index;
-    for_rows(s, pair, [&](const auto i) {
+    for_rows<dim>(s, pair, [&](const auto i) {
       if (s.contact.weight(i) > 0 && s.pressure(i) > largest)
         {
           largest = s.pressure(i);
@@ -267,8 +274,8 @@ namespace Signorini
       {
         result.is_regularised = true;
         if (s.pressure.in_local_range(row))
-          result.of_pressure(row) = 1;
-        result.of_pressure.compress(VectorOperation::insert);
+          result.of_traction[0](row) = 1;
+        result.of_traction[0].compress(VectorOperation::insert);
       }
     result.value      = largest_pressure(s, pair, nodal, contact_patch(s, pair, nodal));
     result.unresolved = unknown_share(sharpness_of_peak(s, pair, nodal)) * result.value;
@@ -337,5 +344,13 @@ namespace Signorini
   INSTANTIATE(half_width)
   INSTANTIATE(contact_radius)
   INSTANTIATE(probe_pressure)
+#undef INSTANTIATE
+#define INSTANTIATE(dim)                                                                           \
+  template unsigned int number_of_pair(const Snapshot<dim> &, const std::string &);                \
+  template void         for_rows(const Snapshot<dim> &,                                            \
+                         unsigned int,                                                     \
+                         const std::function<void(types::global_dof_index)> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
 #undef INSTANTIATE
 } // namespace Signorini

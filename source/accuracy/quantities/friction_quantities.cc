@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quantities of pairs with friction. They are zero where there is none.
+#include "accuracy/quantities/kinds.h"
+#include "fields/contact_patch.h"
+#include "fields/friction_fields.h"
+#include <signorini/solid/model.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// @return the length of the tangential part of a vector at a point.
+    /// @param first the number of its first tangential component
+    double
+    tangential_size(const PointVectors           &v,
+                    const types::global_dof_index i,
+                    const unsigned int            first)
+    {
+      double square = 0;
+      for (unsigned int a = first; a < v.size(); ++a)
+        square += v[a](i) * v[a](i);
+      return std::sqrt(square);
+    }
+
+    /// Finish the assembly of the derivatives by tractions.
+    void
+    compress(Functional &functional)
+    {
+      for (LA::Vector &component : functional.of_traction)
+        component.compress(VectorOperation::insert);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  add_friction_force(const Snapshot<dim> &s,
+                     const unsigned int   pair,
+                     const unsigned int   d,
+                     const double         sign,
+                     Functional          &sum)
+  {
+    const PointVectors &t = s.contact_state.traction;
+    for (unsigned int a = 1; a < s.contact.n_components(); ++a)
+      {
+        LA::Vector &of_traction = sum.of_traction[a];
+        for_rows<dim>(s, pair, [&](const auto i) {
+          of_traction(i) = sign * s.contact.weight(i) * s.contact.tangential.direction[a - 1][d](i);
+        });
+        of_traction.compress(VectorOperation::insert);
+        sum.value += of_traction * t[a];
+      }
+  }
+
+
+
+  template <int dim>
+  Functional
+  friction_force(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
+  {
+    const unsigned int      pair = number_of_pair(s, name.of);
+    const double            sign = s.pairs[pair].exchanged ? -1 : 1;
+    std::vector<Functional> components;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        components.push_back(zero_functional(s));
+        // Radial forces balance around the axis of an axisymmetric model.
+        if (d > 0 || s.elasticity.model() != Model::axisymmetric)
+          add_friction_force(s, pair, d, sign, components.back());
+      }
+    return size_or_component(name, components);
+  }
+
+
+
+  template <int dim>
+  Functional
+  stick_area(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
+  {
+    // The uncertainty of the edge of a zone, in widths of a face, as for the contact area.
+    const double       sharpness = samples_nodes(s.contact) ? 0.15 : 0.5;
+    const unsigned int pair      = number_of_pair(s, name.of);
+    Functional         result    = zero_functional(s);
+    result.is_regularised        = true;
+    if (s.contact.n_components() == 1)
+      return result;
+    const ContactPatch stick = stick_zone(s, pair);
+    if (stick.area == 0)
+      return result;
+    const PointVectors &t     = s.contact_state.traction;
+    const auto          bound = [&](const auto i) {
+      return s.contact.coefficients.friction_bound(i, t[0](i));
+    };
+    const auto sticks = [&](const auto i) {
+      return status_of(s.contact_state.status(i)) == ContactStatus::stick;
+    };
+    double sum = 0, area = 0;
+    for_rows<dim>(s, pair, [&](const auto i) {
+      if (!sticks(i))
+        return;
+      sum += s.contact.weight(i) * (bound(i).value - tangential_size(t, i, 1));
+      area += s.contact.weight(i);
+    });
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    sum                 = Utilities::MPI::sum(sum, comm);
+    area                = Utilities::MPI::sum(area, comm);
+    const double c      = area > 0 && sum > 0 ? sum / (4 * area) : 1;
+    double       own    = 0;
+    for_rows<dim>(s, pair, [&](const auto i) {
+      if (!sticks(i))
+        return;
+      const double size = tangential_size(t, i, 1), m = std::max(0., bound(i).value - size),
+                   slope = s.contact.weight(i) * c / ((m + c) * (m + c));
+      own += s.contact.weight(i) * m / (m + c);
+      result.of_traction[0](i) = slope * bound(i).by_pressure;
+      for (unsigned int a = 1; a < t.size() && size > 0; ++a)
+        result.of_traction[a](i) = -slope * t[a](i) / size;
+    });
+    compress(result);
+    const double smoothed = Utilities::MPI::sum(own, comm);
+    for (LA::Vector &component : result.of_traction)
+      component *= smoothed > 0 ? stick.area / smoothed : 0.;
+    result.value      = stick.area;
+    result.unresolved = sharpness * stick.edge;
+    return result;
+  }
+
+
+
+  // The slip of a point is that before the load step, plus the increment that the rows of its
+  // tangents give.
+  template <int dim>
+  Functional
+  largest_slip(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
+  {
+    const unsigned int pair   = number_of_pair(s, name.of);
+    Functional         result = zero_functional(s);
+    if (s.contact.n_components() == 1)
+      return result;
+    const PointVectors      slip = slip_at_points(s);
+    double                  most = 0;
+    types::global_dof_index row  = numbers::invalid_dof_index;
+    for_rows<dim>(s, pair, [&](const auto i) {
+      if (const double size = tangential_size(slip, i, 0);
+          is_closed(s.contact_state.status(i)) && size > most)
+        {
+          most = size;
+          row  = i;
+        }
+    });
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    result.value        = Utilities::MPI::max(most, comm);
+    if (result.value == 0)
+      return result;
+    // Of equal slips the first one counts, whatever rank owns it.
+    row = Utilities::MPI::min(most == result.value ? row : numbers::invalid_dof_index, comm);
+    for (unsigned int a = 0; a < slip.size(); ++a)
+      {
+        LA::Vector direction = s.contact.zero();
+        if (s.pressure.in_local_range(row))
+          direction(row) = slip[a](row) / most;
+        direction.compress(VectorOperation::insert);
+        s.contact.free_rows(a + 1).Tvmult_add(result.of_displacement, direction);
+      }
+    return result;
+  }
+
+
+
+  // The work of a load step at a point is -t.s times its area, with the slip s of that step. Of
+  // compliant methods s is taken with its elastic part.
+  template <int dim>
+  Functional
+  friction_work(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
+  {
+    const unsigned int pair   = number_of_pair(s, name.of);
+    Functional         result = zero_functional(s);
+    if (s.contact.n_components() == 1)
+      return result;
+    const PointVectors &work = s.contact_state.internal_at_end.scalars,
+                       &t    = s.contact_state.traction;
+    const PointVectors  gaps = s.contact.gaps(s.displacement);
+    PointVectors        of_slip(gaps.size(), s.contact.zero());
+    double              sum = 0;
+    for_rows<dim>(s, pair, [&](const auto i) {
+      const double weight = s.contact.weight(i);
+      if (!work.empty())
+        sum += weight * work[0](i);
+      if (status_of(s.contact_state.status(i)) != ContactStatus::slip)
+        return;
+      for (unsigned int a = 1; a < gaps.size(); ++a)
+        {
+          result.of_traction[a](i) = -weight * gaps[a](i);
+          of_slip[a](i)            = -weight * t[a](i);
+        }
+    });
+    compress(result);
+    for (unsigned int a = 1; a < gaps.size(); ++a)
+      {
+        of_slip[a].compress(VectorOperation::insert);
+        s.contact.free_rows(a).Tvmult_add(result.of_displacement, of_slip[a]);
+      }
+    result.value = Utilities::MPI::sum(sum, s.elasticity.mesh().communicator());
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template void       add_friction_force(const Snapshot<dim> &,                                    \
+                                   unsigned int,                                             \
+                                   unsigned int,                                             \
+                                   double,                                                   \
+                                   Functional &);                                            \
+  template Functional friction_force(const QuantityName &,                                         \
+                                     const Snapshot<dim> &,                                        \
+                                     const Probes<dim> &);                                         \
+  template Functional stick_area(const QuantityName &, const Snapshot<dim> &, const Probes<dim> &); \
+  template Functional largest_slip(const QuantityName &,                                           \
+                                   const Snapshot<dim> &,                                          \
+                                   const Probes<dim> &);                                           \
+  template Functional friction_work(const QuantityName &,                                          \
+                                    const Snapshot<dim> &,                                         \
+                                    const Probes<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini
