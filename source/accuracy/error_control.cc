@@ -100,7 +100,9 @@ namespace Signorini
                  short_text(100 * model / std::abs(histories[i].last().value)) +
                  " %, because contact is evaluated in the reference configuration; set Contact "
                  "method/Contact geometry = updated";
-        if (const double path = histories[i].last().parts.path; path > 0.9 * allowed(i))
+        // On meshes that are too coarse the path is not known either.
+        const double path = histories[i].last().parts.path;
+        if (path > 0.9 * allowed(i) && histories[i].last_bounded().error_bound - path < allowed(i))
           return name + " changes by " +
                  short_text(100 * path / std::abs(histories[i].last().value)) +
                  " % with the length of the load steps, since friction depends on the path; set Load "
@@ -111,8 +113,8 @@ namespace Signorini
 
 
 
-  // What the errors of model and path, which no mesh reduces, leave of the target; a fifth of the target at
-  // least.
+  // What the errors of model and path, which no mesh reduces, leave of the target; a fifth of the
+  // target at least.
   double
   ErrorControl::allowed_of_mesh(const unsigned int i) const
   {
@@ -200,8 +202,7 @@ namespace Signorini
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
         const double error_bound =
-          histories[i].last_bounded().error_bound -
-          histories[i].last().parts.of_model_and_path();
+          histories[i].last_bounded().error_bound - histories[i].last().parts.of_model_and_path();
         result = std::max(result, error_bound / allowed_of_mesh(i));
       }
     return result;

@@ -67,8 +67,9 @@ namespace Signorini
       error_bound = std::max({error_bound,
                               now.cauchy_schwarz_bound / 3,
                               now.is_regularised ? 0.25 * now.energy * std::abs(now.value) : 0.});
-    return {now.value, error_bound + now.unresolved + now.parts.of_model_and_path() +
-                         rounding * std::abs(now.value)};
+    return {now.value,
+            error_bound + now.unresolved + now.parts.of_model_and_path() +
+              rounding * std::abs(now.value)};
   }
 
 

@@ -20,13 +20,19 @@ namespace Signorini
   {
     const double end = scene.load_steps.end_time;
     Position     start;
-    refinement.n_steps = 0;
+    double       tolerance = refinement.tolerance;
+    refinement.n_steps     = 0;
     if (problem.equilibrium->is_path_dependent())
-      measure_path_errors();
+      {
+        // Errors of load steps add up, and the dual problem sees those of the last one alone.
+        constexpr double largest_tolerance = 1e-5;
+        tolerance                          = std::min(tolerance, largest_tolerance);
+        measure_path_errors();
+      }
     else
       {
         // Only the end counts, and mostly it is found at once.
-        if (problem.solve(end, refinement.tolerance))
+        if (problem.solve(end, tolerance))
           {
             refinement.n_steps = problem.report().steps.size();
             return true;
@@ -38,7 +44,7 @@ namespace Signorini
         start.longest = end / 2;
       }
     return_to_start();
-    return apply_load_history(refinement.tolerance, start, [&](auto) {
+    return apply_load_history(tolerance, start, [&](auto) {
       refinement.n_steps += problem.report().steps.size();
       return true;
     });
@@ -85,8 +91,8 @@ namespace Signorini
       const bool is_judged =
         is_finished() && (!refinement.end_judged_on || *refinement.end_judged_on == position.cycle);
       // With friction a load step is not repeated on another mesh.
-      if (scene.goals.judge_all_steps() && !problem.equilibrium->is_path_dependent() && !is_judged &&
-          !improve_step())
+      if (scene.goals.judge_all_steps() && !problem.equilibrium->is_path_dependent() &&
+          !is_judged && !improve_step())
         return false;
       record_step(step);
       pass_checkpoint();

@@ -185,27 +185,37 @@ namespace Signorini
   void
   Simulation<dim>::measure_path_errors()
   {
-    if (!refinement.path_errors.empty() || scene.goals.quantities.empty() ||
-        !problem.equilibrium->is_path_dependent())
+    if (scene.goals.quantities.empty() || !problem.equilibrium->is_path_dependent() ||
+        refinement.end_judged_on == position.cycle)
       return;
-    // Estimates of a former run, which was restarted, know it.
-    const std::vector<ErrorHistory> &histories = refinement.control.quantities();
-    if (std::all_of(histories.begin(), histories.end(), [](const ErrorHistory &history) {
-          return history.size() > 0 && history.last().value != 0;
-        }))
+    // What was measured on the mesh before is kept, if that mesh resolved the quantities and the
+    // path hardly mattered.
+    constexpr double                 small       = 0.1;
+    const std::vector<ErrorHistory> &histories   = refinement.control.quantities();
+    const auto                       is_resolved = [](const ErrorHistory &history) {
+      if (history.size() == 0)
+        return false;
+      const double bound = history.last_bounded().error_bound, path = history.last().parts.path;
+      return bound - path <= small * std::abs(history.last().value) && path <= small * bound;
+    };
+    refinement.path_errors.clear();
+    if (std::all_of(histories.begin(), histories.end(), is_resolved))
       {
         for (const ErrorHistory &history : histories)
-          refinement.path_errors.push_back(history.last().parts.path /
-                                           std::abs(history.last().value));
+          refinement.path_errors.push_back(
+            history.last().value == 0 ? 0. :
+                                        history.last().parts.path / std::abs(history.last().value));
         return;
       }
 
     out << "  the path: the load steps, their halves and their quarters" << std::endl;
-    const State before = problem.state;
+    // The tolerances of estimates on coarse meshes would hide the path.
+    const double tolerance = scene.newton.tolerance;
+    const State  before    = problem.state;
     return_to_start();
-    Position            start;
-    std::vector<double> ends;
-    bool                is_solved = apply_load_history(refinement.tolerance, start, [&](auto) {
+    Position                         start;
+    std::vector<double>              ends;
+    bool                             is_solved = apply_load_history(tolerance, start, [&](auto) {
       ends.push_back(start.time);
       return true;
     });
@@ -220,8 +230,7 @@ namespace Signorini
               {
                 for (unsigned int k = 1; k <= parts && is_solved; ++k)
                   is_solved =
-                    solve_from_touch(k == parts ? end : from + k * (end - from) / parts,
-                                     refinement.tolerance);
+                    solve_from_touch(k == parts ? end : from + k * (end - from) / parts, tolerance);
                 from = end;
               }
           }
@@ -253,10 +262,10 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template bool Simulation<dim>::controls_path() const;                                            \
+  template bool                Simulation<dim>::controls_path() const;                             \
   template std::vector<double> Simulation<dim>::quantity_values();                                 \
   template void                Simulation<dim>::measure_path_errors();                             \
-  template bool Simulation<dim>::solve_step(double, double, bool);
+  template bool                Simulation<dim>::solve_step(double, double, bool);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

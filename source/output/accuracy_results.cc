@@ -89,9 +89,9 @@ namespace Signorini
     for (const std::string &name : goals.quantities)
       widest = std::max(widest, name.size());
     const bool has_path =
-      std::any_of(control.quantities().begin(), control.quantities().end(), [](const auto &history) {
-        return history.last().parts.path != 0;
-      });
+      std::any_of(control.quantities().begin(),
+                  control.quantities().end(),
+                  [](const auto &history) { return history.last().parts.path != 0; });
     std::ostringstream text;
     text << "  " << std::left << std::setw(widest) << "error of" << std::right
          << "          value    bound     mesh geometry  penalty    model   solver"

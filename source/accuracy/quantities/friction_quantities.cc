@@ -26,6 +26,28 @@ namespace Signorini
       return std::sqrt(square);
     }
 
+    /// @return the slip that a mesh may miss where a point sticks: an elastic displacement over the
+    /// size of a face. Meshes that do not resolve partial slip have none at all.
+    template <int dim>
+    double
+    missed_slip(const Snapshot<dim> &s, const types::global_dof_index i)
+    {
+      return status_of(s.contact_state.status(i)) == ContactStatus::stick ?
+               tangential_size(s.contact_state.traction, i, 1) /
+                 s.contact.coefficients.stiffness(i) :
+               0.;
+    }
+
+    /// @return the share of the zone of stick that is at its edge, where slip may be missed; one
+    /// for zones of few faces. Collective.
+    template <int dim>
+    double
+    share_at_edge(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      const ContactPatch stick = stick_zone(s, pair);
+      return stick.edge < stick.area ? stick.edge / stick.area : 1.;
+    }
+
     /// Finish the assembly of the derivatives by tractions.
     void
     compress(Functional &functional)
@@ -143,9 +165,10 @@ namespace Signorini
     if (s.contact.n_components() == 1)
       return result;
     const PointVectors      slip = slip_at_points(s);
-    double                  most = 0;
-    types::global_dof_index row  = numbers::invalid_dof_index;
+    double                  most = 0, missed = 0;
+    types::global_dof_index row = numbers::invalid_dof_index;
     for_rows<dim>(s, pair, [&](const auto i) {
+      missed = std::max(missed, missed_slip(s, i));
       if (const double size = tangential_size(slip, i, 0);
           is_closed(s.contact_state.status(i)) && size > most)
         {
@@ -155,6 +178,7 @@ namespace Signorini
     });
     const MPI_Comm comm = s.elasticity.mesh().communicator();
     result.value        = Utilities::MPI::max(most, comm);
+    result.unresolved   = share_at_edge(s, pair) * Utilities::MPI::max(missed, comm);
     if (result.value == 0)
       return result;
     // Of equal slips the first one counts, whatever rank owns it.
@@ -184,11 +208,12 @@ namespace Signorini
       return result;
     const PointVectors &work = s.contact_state.internal_at_end.scalars,
                        &t    = s.contact_state.traction;
-    const PointVectors  gaps = s.contact.gaps(s.displacement);
-    PointVectors        of_slip(gaps.size(), s.contact.zero());
-    double              sum = 0;
+    const PointVectors gaps  = s.contact.gaps(s.displacement);
+    PointVectors       of_slip(gaps.size(), s.contact.zero());
+    double             sum = 0, missed = 0;
     for_rows<dim>(s, pair, [&](const auto i) {
       const double weight = s.contact.weight(i);
+      missed += weight * tangential_size(t, i, 1) * missed_slip(s, i);
       if (!work.empty())
         sum += weight * work[0](i);
       if (status_of(s.contact_state.status(i)) != ContactStatus::slip)
@@ -205,22 +230,23 @@ namespace Signorini
         of_slip[a].compress(VectorOperation::insert);
         s.contact.free_rows(a).Tvmult_add(result.of_displacement, of_slip[a]);
       }
-    result.value = Utilities::MPI::sum(sum, s.elasticity.mesh().communicator());
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    result.value        = Utilities::MPI::sum(sum, comm);
+    result.unresolved   = share_at_edge(s, pair) * Utilities::MPI::sum(missed, comm);
     return result;
   }
 
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template void       add_friction_force(const Snapshot<dim> &,                                    \
-                                   unsigned int,                                             \
-                                   unsigned int,                                             \
-                                   double,                                                   \
-                                   Functional &);                                            \
+  template void add_friction_force(                                                                \
+    const Snapshot<dim> &, unsigned int, unsigned int, double, Functional &);                      \
   template Functional friction_force(const QuantityName &,                                         \
                                      const Snapshot<dim> &,                                        \
                                      const Probes<dim> &);                                         \
-  template Functional stick_area(const QuantityName &, const Snapshot<dim> &, const Probes<dim> &); \
+  template Functional stick_area(const QuantityName &,                                             \
+                                 const Snapshot<dim> &,                                            \
+                                 const Probes<dim> &);                                             \
   template Functional largest_slip(const QuantityName &,                                           \
                                    const Snapshot<dim> &,                                          \
                                    const Probes<dim> &);                                           \

@@ -117,8 +117,8 @@ namespace Signorini
   /// Call visit(row) for all locally owned contact points of a pair.
   template <int dim>
   void
-  for_rows(const Snapshot<dim>                                     &s,
-           unsigned int                                             pair,
+  for_rows(const Snapshot<dim>                                        &s,
+           unsigned int                                                pair,
            const std::function<void(dealii::types::global_dof_index)> &visit);
 
   /// Add a component of the friction force of a pair to a functional, if there is friction.
@@ -126,11 +126,8 @@ namespace Signorini
   /// @param sign factor
   template <int dim>
   void
-  add_friction_force(const Snapshot<dim> &s,
-                     unsigned int         pair,
-                     unsigned int         d,
-                     double               sign,
-                     Functional          &sum);
+  add_friction_force(
+    const Snapshot<dim> &s, unsigned int pair, unsigned int d, double sign, Functional &sum);
 
   /// @return a functional with the value 0 and zero derivatives of the right size.
   template <int dim>

@@ -31,8 +31,8 @@ namespace Signorini
 
   template <int dim>
   void
-  for_rows(const Snapshot<dim>                              &s,
-           const unsigned int                                pair,
+  for_rows(const Snapshot<dim>                                &s,
+           const unsigned int                                  pair,
            const std::function<void(types::global_dof_index)> &visit)
   {
     auto which = s.contact.origin.pair.begin();
@@ -348,8 +348,8 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template unsigned int number_of_pair(const Snapshot<dim> &, const std::string &);                \
   template void         for_rows(const Snapshot<dim> &,                                            \
-                         unsigned int,                                                     \
-                         const std::function<void(types::global_dof_index)> &);
+                                 unsigned int,                                                     \
+                                 const std::function<void(types::global_dof_index)> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE
