@@ -119,7 +119,7 @@ namespace Signorini
         one.parts.nonlinear = of_tension(snapshot, displacements[i]);
         one.parts.algebraic = duals[i].remainder;
         one.parts.model     = neglected * std::abs(one.value);
-        one.parts.path      = path.empty() ? 0. : path[i] * std::abs(one.value);
+        one.parts.path      = path.empty() ? 0. : path[i];
         result.iterations += duals[i].iterations;
         result.quantities.push_back(one);
       }

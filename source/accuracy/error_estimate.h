@@ -29,7 +29,7 @@ namespace Signorini
   /// @param duals their dual solutions
   /// @param is_consistent whether the contact method closes gaps as the mesh is refined, whatever
   /// its parameter; then there is no error of enforcement
-  /// @param path relative errors of the quantities by the length of load steps; empty: none
+  /// @param path errors of the quantities by the length of load steps; empty: none
   /// @param neglected relative change of the pressure by which contact in the reference
   /// configuration is wrong, (5.21)
   /// @return errors of the cells and of all quantities

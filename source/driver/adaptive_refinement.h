@@ -57,7 +57,7 @@ namespace Signorini
     std::optional<unsigned int> end_judged_on;
     /// The accuracy of the last load step, for its results; null: not estimated.
     Json step_accuracy;
-    /// Relative errors of the quantities by the length of load steps; empty: not measured, or none.
+    /// Errors of the quantities by the length of load steps; empty: not measured, or none.
     std::vector<double> path_errors;
     /// Why targets were missed, for a message; empty: no reason is known.
     std::string reason_targets_missed;

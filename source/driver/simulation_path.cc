@@ -202,9 +202,7 @@ namespace Signorini
     if (std::all_of(histories.begin(), histories.end(), is_resolved))
       {
         for (const ErrorHistory &history : histories)
-          refinement.path_errors.push_back(
-            history.last().value == 0 ? 0. :
-                                        history.last().parts.path / std::abs(history.last().value));
+          refinement.path_errors.push_back(history.last().parts.path);
         return;
       }
 
@@ -245,17 +243,16 @@ namespace Signorini
     constexpr double least = 0.5, most = 0.85, safety = 1.3;
     for (unsigned int i = 0; i < scene.goals.quantities.size(); ++i)
       {
-        double &error = refinement.path_errors.emplace_back(1.);
-        if (!is_solved || values.size() < 3)
-          continue;
+        if (!is_solved)
+          {
+            refinement.path_errors.push_back(values.empty() ? std::numeric_limits<double>::max() :
+                                                              std::abs(values[0][i]));
+            continue;
+          }
         const double first = std::abs(values[1][i] - values[0][i]),
                      last  = std::abs(values[2][i] - values[1][i]),
-                     size  = std::max({std::abs(values[0][i]),
-                                       std::abs(values[1][i]),
-                                       std::abs(values[2][i]),
-                                       std::numeric_limits<double>::min()}),
                      ratio = std::clamp(first > 0 ? last / first : most, least, most);
-        error              = safety * (first + last / (1 - ratio)) / size;
+        refinement.path_errors.push_back(safety * (first + last / (1 - ratio)));
       }
   }
 
