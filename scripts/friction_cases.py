@@ -265,6 +265,12 @@ def bulk_tension():
 BY_FORCE = {"top": {"Boundaries": "upper.top", "Traction": "Q/40; -P/40 + 3*Q/800*x"}}  # through the middle of the contact, y = 0
 
 
+def by_forces(load_steps, normal, tangential, gap="x^2/300", levels=3, zone=1.3):
+    """Forces P and Q through the middle of the contact, as formulas of time."""
+    return blocks(gap, levels, named(base={"Boundaries": "lower.bottom", "Displacement": "0; 0"}), named(**BY_FORCE), load_steps,
+                  {"P": normal, "Q": tangential}, zone)
+
+
 def together():
     """PF-08: P = 600 and Q = 90 in proportion: nothing slips, q = 0.15 p. Implicit steps slip at the edge of the contact that grows; what n
     exact ones give is known for forces (those of the box; displacements that belong to them are in the tables). The approach of the box is
@@ -292,7 +298,7 @@ def together():
         scene = blocks("x^2/300", 3, named(**moved), None, {"Number": number}, definitions)
         runs.append(Run("PF-08", f"together, given motion, {number} steps", scene, rows(number), fields=True, slow=number == "automatic"))
     for number in (1, 5, 20, "automatic"):
-        scene = blocks("x^2/300", 3, named(**base), named(**BY_FORCE), {"Number": number}, {"P": "600*t", "Q": "90*t"})
+        scene = by_forces({"Number": number}, "600*t", "90*t")
         runs.append(Run("PF-08", f"together, given forces, {number} steps", scene, rows(number), fields=True,
                         slow=number in (20, "automatic")))
     platen = blocks("x^2/300", 3, named(**base), None, {"Number": 5}, {"P": "600*t", "Q": "90*t"})
@@ -317,9 +323,7 @@ def rounded():
     """PF-12: a flat punch with rounded edges on an equal body, P = 500, then Q = 75."""
     runs = []
     for levels in (2, 3):
-        base = named(base={"Boundaries": "lower.bottom", "Displacement": "0; 0"})
-        scene = blocks("max(0, abs(x) - 1)^2/200", levels, base, named(**BY_FORCE),
-                       {"Times": "1, 2"}, {"P": "500*min(t, 1)", "Q": "75*max(t - 1, 0)"}, 1.8)
+        scene = by_forces({"Times": "1, 2"}, "500*min(t, 1)", "75*max(t - 1, 0)", "max(0, abs(x) - 1)^2/200", levels, 1.8)
         runs.append(Run("PF-12", f"rounded punch, {levels} levels", scene, [
             Quantity("a", 1.5519079, lambda s: s.pair("interface")["area"] / 2, 0.01),
             Quantity("c", 1.3596781, lambda s: s.pair("interface")["stick_area"] / 2, 0.01),
