@@ -111,6 +111,11 @@ def numbered(times):
     return {"Times": ", ".join(f"{time:g}" for time in times)}
 
 
+def in_words(number):
+    """Of load steps."""
+    return f"{number} step{'' if number == 1 else 's'}"
+
+
 # PF-01, 02, 04, 13, 14, 16: the scenes of the tests.
 
 
@@ -253,7 +258,7 @@ def bulk_tension():
     runs = []
     for steps in (1, 4):
         scene = blocks("x^2/300", 3, named(**stretched), loads, numbered([1] + [1 + (n + 1) / steps for n in range(steps)]), shift)
-        runs.append(Run("PF-07", f"bulk tension, {steps} step{'s' if steps > 1 else ''}", scene, [
+        runs.append(Run("PF-07", f"bulk tension, {in_words(steps)}", scene, [
             Quantity("P", 600, lambda s: s.pair("interface")["force"][1], 2e-3),
             Quantity("Q", 90, lambda s: -s.pair("interface")["force"][0], 5e-3),
             Quantity("stick from", -0.6765745, lambda s: s.pair("interface")["stick_from"][0], 0.015),
@@ -296,10 +301,11 @@ def together():
             definitions = {name: "table(t, 0,0, " + ", ".join(f"{row[0]},{row[column]}" for row in tables[number]) + ")"
                            for name, column in columns.items()}
         scene = blocks("x^2/300", 3, named(**moved), None, {"Number": number}, definitions)
-        runs.append(Run("PF-08", f"together, given motion, {number} steps", scene, rows(number), fields=True, slow=number == "automatic"))
+        runs.append(Run("PF-08", f"together, given motion, {in_words(number)}", scene, rows(number), fields=True,
+                        slow=number == "automatic"))
     for number in (1, 5, 20, "automatic"):
         scene = by_forces({"Number": number}, "600*t", "90*t")
-        runs.append(Run("PF-08", f"together, given forces, {number} steps", scene, rows(number), fields=True,
+        runs.append(Run("PF-08", f"together, given forces, {in_words(number)}", scene, rows(number), fields=True,
                         slow=number in (20, "automatic")))
     platen = blocks("x^2/300", 3, named(**base), None, {"Number": 5}, {"P": "600*t", "Q": "90*t"})
     platen["Obstacles"] = named(platen={"Shape": "plane", "Point": "0,20", "Normal": "0,-1", "Displacement": "free; free",
@@ -412,7 +418,7 @@ def in_plane():
     for levels in (4, 6):
         for steps in (1, 4):
             regions = {**squares(0.0, 0.0, 4, 1.5, 3), **squares(1.0, 0.0, 0.5, 0.01, levels, "edge")}
-            runs.append(Run("PF-10", f"flat punch, box, {levels} levels, {steps} steps",
+            runs.append(Run("PF-10", f"flat punch, box, {levels} levels, {in_words(steps)}",
                             indented("plane strain", 10, 10, regions, FLAT, {"Number": steps}),
                             [Quantity("c/a (box)", 0.833, ratio, 0.01), Quantity("a", 1, lambda s: s.pair("foot")["area"], 0.005)]))
     regions = {**squares(0.0, 0.0, 1000, 1.5, 12), **squares(1.0, 0.0, 0.5, 0.01, 4, "edge")}
@@ -420,7 +426,7 @@ def in_plane():
                     [Quantity("c/a", 0.6890884, ratio, 0.015)]))
     for number, reference in ((1, 0.2963401), (5, 0.6890884), (20, 0.6890884), ("automatic", 0.6890884)):
         scene = indented("plane strain", 2000, 10, squares(0.0, 0.0, 1000, 1.5, 12), parabola(0.0065), {"Number": number})
-        runs.append(Run("PF-10", f"cylinder, half-space, {number} steps", scene, [Quantity("c/a", reference, ratio, 0.02)],
+        runs.append(Run("PF-10", f"cylinder, half-space, {in_words(number)}", scene, [Quantity("c/a", reference, ratio, 0.02)],
                         slow=number in (20, "automatic")))
     return runs
 
@@ -443,7 +449,7 @@ def axisymmetric():
         rows = [Quantity("c/a", reference, ratio, 0.01)]
         if number != 1:
             rows.append(Quantity("force / 1.0204", 1.0442551538 * 4 / 3 / 0.91 / 1000, force, 2e-3))
-        runs.append(Run("PF-11", f"sphere, {number} steps",
+        runs.append(Run("PF-11", f"sphere, {in_words(number)}",
                         indented("axisymmetric", 40, 10, squares(0.0, 0.0, 20, 1.3, 7), parabola(1.0194849e-3), {"Number": number}), rows))
     return runs
 
@@ -525,7 +531,7 @@ def plate():
                   for name, value in points.items()),
                 Quantity("friction force", -1405473, lambda s: s.pair("foot")["friction_force"][0], tolerance)]
 
-    return [Run("PF-16", f"plate, {cells} x {cells} cells, {steps} steps", "friction-plate", rows(cells),
+    return [Run("PF-16", f"plate, {cells} x {cells} cells, {in_words(steps)}", "friction-plate", rows(cells),
                 {"Bodies/plate/Subdivisions": f"{cells},{cells}", "Load steps/Number": steps})
             for cells, steps in ((8, 1), (16, 1), (32, 1), (32, 5), (64, 1))]
 
