@@ -32,3 +32,19 @@ def in_contact(profile):
 def normals(profile):
     """The direction of the force on the slave at each point."""
     return np.stack([profile["normal_" + axis] for axis in "xyz"], axis=1)
+
+
+def has_friction(profile):
+    return "stick" in profile.dtype.names
+
+
+def sticks(profile):
+    return profile["stick"] > 0.5
+
+
+def tangential_traction(profile):
+    """In 2D its component along the surface, in the order of the points: positive where it points to the next one."""
+    n = normals(profile)
+    along = np.stack([n[:, 1], -n[:, 0]], axis=1)
+    onwards = np.einsum("ij,ij->", along[:-1] + along[1:], np.diff(positions(profile)[:, :2], axis=0))
+    return (-1 if onwards < 0 else 1) * (along[:, 0] * profile["tangential_x"] + along[:, 1] * profile["tangential_y"])

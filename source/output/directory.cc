@@ -43,7 +43,10 @@ namespace Signorini
       {"", "(solution|contact|failed)_[0-9]{4,}\\.[0-9]+\\.vtu", "deal\\.II|Signorini", true},
       {"", "restart\\.scene(\\.part)?", "^Signorini checkpoint", true},
       {"checkpoint-[0-9]{4,}(\\.tmp)?", "head|part-[0-9]+", "^Signorini checkpoint", false},
-      {"", "((bodies|pressure|history|probes|accuracy)\\.png|film\\.gif)", "Signorini", false},
+      {"",
+       "((bodies|pressure|history|friction|probes|accuracy)\\.png|film\\.gif)",
+       "Signorini",
+       false},
       {"film", "[0-9]{4,}\\.png", "Signorini", false},
       {"profiles", ".*\\.csv", "^x,y,z,pressure,gap,status", false},
       {"profiles/step-[0-9]{4,}", ".*\\.csv", "^x,y,z,pressure,gap,status", false}};

@@ -120,7 +120,7 @@ TEST_CASE("a run removes what an earlier one left, and nothing else")
   folder.write("results.json.part", "");
   folder.write("scene.prm", "set Dimension = 2\n"); // without a mark, but with results beside it
   for (const char *name :
-       {"bodies.png", "history.png", "accuracy.png", "film.gif", "film/0003.png"})
+       {"bodies.png", "history.png", "friction.png", "accuracy.png", "film.gif", "film/0003.png"})
     folder.write(name, "PNG tEXt Software Signorini");
   folder.write("profiles/foot.csv", csv);
   folder.write("profiles/step-0001/foot.csv", csv);
