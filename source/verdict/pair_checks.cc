@@ -166,7 +166,9 @@ namespace Signorini
     }
 
     /// Check the penetration, for methods that allow one, relative to the deformation, which is
-    /// estimated by the largest strain times the width of the contact area.
+    /// estimated by the largest strain times the width of the contact area. Where supports prescribe
+    /// the normal displacement of slave nodes, cells beside them are compressed by what is prescribed
+    /// minus the penetration: then it is the strain times the depth of a cell. Collective.
     template <int dim>
     CheckResult
     check_penetration(const Snapshot<dim>         &s,
@@ -179,7 +181,13 @@ namespace Signorini
         strain = std::max(strain, body.gradient);
       const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
       // The contact area is a length in plane models; otherwise its root is taken as the width.
-      const double width = is_plane ? extent.active : std::sqrt(extent.active);
+      double width = is_plane ? extent.active : std::sqrt(extent.active);
+      if (s.surfaces[pair].has_dirichlet_nodes)
+        {
+          for (const ContactPoint<dim> &point : s.surfaces[pair].points)
+            width = std::min(width, point.depth);
+          width = Utilities::MPI::min(width, s.elasticity.mesh().communicator());
+        }
       return make_check_result(
         "penetration / deformation",
         s.pairs[pair].name,
