@@ -166,9 +166,10 @@ namespace Signorini
     }
 
     /// Check the penetration, for methods that allow one, relative to the deformation, which is
-    /// estimated by the largest strain times the width of the contact area. Where supports prescribe
-    /// the normal displacement of slave nodes, cells beside them are compressed by what is prescribed
-    /// minus the penetration: then it is the strain times the depth of a cell. Collective.
+    /// estimated by the largest strain times the width of the contact area. Where supports
+    /// prescribe the normal displacement of slave nodes, cells beside them are compressed by what
+    /// is prescribed minus the penetration: then it is the strain times the depth of a cell.
+    /// Collective.
     template <int dim>
     CheckResult
     check_penetration(const Snapshot<dim>         &s,

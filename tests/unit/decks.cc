@@ -420,8 +420,7 @@ TEST_CASE("import: kinds of friction")
     CHECK(mu.bound({}, 0, 1000, 0) == doctest::Approx(30));
     CHECK(messages.find("FRICTION") == std::string::npos);
   }
-  for (const std::string kind :
-       {"*FRICTION, ROUGH\n", "*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 2.\n"})
+  for (const std::string kind : {"*FRICTION, USER\n", "*FRICTION, ANISOTROPIC\n0.3, 0.1\n"})
     {
       CAPTURE(kind);
       const TemporaryFile file(with(kind), ".inp");
@@ -429,6 +428,17 @@ TEST_CASE("import: kinds of friction")
       CHECK(checked<2>(text).pairs[0].friction.is_zero());
       says(messages, "contact is without friction");
     }
+  {
+    const TemporaryFile file(with("*FRICTION, ROUGH\n"), ".inp");
+    const auto [text, messages] = imported(file.path);
+    CHECK(checked<2>(text).pairs[0].friction.mu.text == "1e6");
+  }
+  {
+    const TemporaryFile file(with("*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 2.\n"), ".inp");
+    const auto [text, messages] = imported(file.path);
+    CHECK(checked<2>(text).pairs[0].friction.mu.text == "0.3");
+    says(messages, "the decay with the slip rate; the static coefficient counts");
+  }
   const TemporaryFile file(with("*FRICTION\n-0.1\n"), ".inp");
   CHECK_THROWS_AS(imported(file.path), SceneError);
 }

@@ -69,7 +69,8 @@ namespace Signorini
 
 
   // Data lines: coefficient, then in CalculiX the stick slope, in Abaqus slip rate, pressure and
-  // temperature. Sticking is exact here: slopes and tolerances of it have no counterpart.
+  // temperature; with EXPONENTIAL DECAY the static coefficient, the kinetic one and the decay.
+  // Sticking is exact here: slopes and tolerances of it have no counterpart.
   void
   DeckReader::read_friction()
   {
@@ -79,7 +80,7 @@ namespace Signorini
         model.lacks_supports = true;
         return;
       }
-    for (const char *option : {"ROUGH", "USER", "ANISOTROPIC", "EXPONENTIAL DECAY", "DEPENDENCIES"})
+    for (const char *option : {"USER", "ANISOTROPIC", "DEPENDENCIES"})
       if (in.has(option))
         {
           skip_item(std::string(option) + "; contact is without friction");
@@ -87,6 +88,12 @@ namespace Signorini
           return;
         }
     DeckModel::Interaction &one = model.interactions[interaction];
+    if (in.has("ROUGH"))
+      {
+        // No slip at any pressure.
+        one.friction = "1e6";
+        return;
+      }
     if (in.has("TAUMAX"))
       one.shear_limit = number({in.value("TAUMAX")}, 0);
     std::vector<Words> lines;
@@ -111,7 +118,9 @@ namespace Signorini
           points +=
             ", " + long_text(number(words, 2)) + ", " + long_text(std::max(0., number(words, 0)));
       }
-    if (lines.size() == 1 && by_rate)
+    if (in.has("EXPONENTIAL DECAY"))
+      skip_item("the decay with the slip rate; the static coefficient counts");
+    else if (lines.size() == 1 && by_rate)
       skip_item("the stick slope or slip rate, since sticking is exact");
     else if (by_rate || by_temperature || (lines.size() > 1 && !by_pressure))
       skip_item("its dependence on slip rate or temperature, the first coefficient counts");
