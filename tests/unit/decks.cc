@@ -437,7 +437,7 @@ TEST_CASE("import: kinds of friction")
     const TemporaryFile file(with("*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 2.\n"), ".inp");
     const auto [text, messages] = imported(file.path);
     CHECK(checked<2>(text).pairs[0].friction.mu.text == "0.3");
-    says(messages, "the decay with the slip rate; the static coefficient counts");
+    says(messages, "the decay with the slip rate, the static coefficient counts");
   }
   const TemporaryFile file(with("*FRICTION\n-0.1\n"), ".inp");
   CHECK_THROWS_AS(imported(file.path), SceneError);

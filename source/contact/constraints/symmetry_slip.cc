@@ -5,6 +5,7 @@
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/values.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -27,6 +28,23 @@ namespace Signorini
         if (std::abs(constraint.direction[d]) > 1e-6 && !support->displacement.is_zero(d))
           return false;
       return true;
+    }
+
+    /// @return whether supports hold any slave node of a row. Collective.
+    template <int dim>
+    bool
+    holds_any_row(const Elasticity<dim> &elasticity, const GapOperator &contact)
+    {
+      const auto &constrained = elasticity.constrained_nodes();
+      const bool  any =
+        std::any_of(contact.origin.node.begin(), contact.origin.node.end(), [&](const auto index) {
+          const auto node = constrained.find(index);
+          return node != constrained.end() &&
+                 std::any_of(node->second.prescribed_directions.begin(),
+                             node->second.prescribed_directions.end(),
+                             holds<dim>);
+        });
+      return Utilities::MPI::max(any ? 1 : 0, elasticity.mesh().communicator()) > 0;
     }
 
     /// For each degree of freedom, what is known of its node: the number of the piece of its body,
@@ -121,9 +139,10 @@ namespace Signorini
                                      const Tangents<dim>   &tangents,
                                      GapOperator           &contact)
   {
-    const HeldNodes<dim> held(elasticity);
-    if (contact.empty() || held.piece.linfty_norm() == 0)
+    // The vectors of HeldNodes are as long as the displacement: most scenes need none of them.
+    if (contact.empty() || !holds_any_row(elasticity, contact))
       return;
+    const HeldNodes<dim>     held(elasticity);
     const LA::ColumnExchange columns(contact.B);
     HeldColumns              at{LA::global_columns(contact.B), columns.fetch(held.piece), {}, {}};
     for (unsigned int k = 0; k < dim; ++k)

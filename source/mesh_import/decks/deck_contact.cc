@@ -119,7 +119,7 @@ namespace Signorini
             ", " + long_text(number(words, 2)) + ", " + long_text(std::max(0., number(words, 0)));
       }
     if (in.has("EXPONENTIAL DECAY"))
-      skip_item("the decay with the slip rate; the static coefficient counts");
+      skip_item("the decay with the slip rate, the static coefficient counts");
     else if (lines.size() == 1 && by_rate)
       skip_item("the stick slope or slip rate, since sticking is exact");
     else if (by_rate || by_temperature || (lines.size() > 1 && !by_pressure))
