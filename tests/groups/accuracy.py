@@ -155,7 +155,7 @@ def no_time(test):
 
 
 def path_of_friction(test):
-    """A hard block is pressed down and pulled at the same time: the stick zone of one load step is that of pressing first. Bars hold for
+    """A hard block is pressed down and pulled at the same time: the stick zone of one load step is too small by a third. Bars hold for
     twenty load steps, by their part of the path. Pressed first and pulled then, load steps do not matter, and that part is nothing."""
     together = ["Definitions/q=0.002905292*t", "Bodies/upper/Young's modulus=1e6", "Bodies/lower/Subdivisions=10,5",
                 "Bodies/upper/Subdivisions=10,5", "Mesh/Refinement regions/contact/Levels=2", "Expected results/Names="]
