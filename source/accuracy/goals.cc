@@ -25,7 +25,7 @@ namespace Signorini
       {{"all", JudgedSteps::all}, {"last", JudgedSteps::last}},
       "load steps that must satisfy the Target error; all: the mesh is refined in each of them if "
       "needed; last: the mesh is refined for the last one, and the others use that mesh and have no "
-      "error bounds");
+      "error bounds; with friction always as last");
     section.add(
       "Time limit",
       time_limit,

@@ -180,8 +180,8 @@ namespace Signorini
         }
     if (!kind)
       throw SceneError(place + ": there is no quantity '" + text + "'. There are: " + examples() +
-                       "; force, reaction, motion and displacement also by components, as 'force y "
-                       "of PAIR', stress as 'stress xy of PROBE'.");
+                       "; force, friction force, reaction, motion and displacement also by "
+                       "components, as 'force y of PAIR', stress as 'stress xy of PROBE'.");
     // A tensor needs a component; other kinds accept one of theirs or none.
     const std::vector<std::string> components = possible_components(*kind, dim);
     const bool                     is_one =

@@ -9,6 +9,8 @@ PUNCH = ("punch-axisymmetric.prm", "force of contact", 460.396)
 SPHERE = ("hertz-axisymmetric.prm", "force of contact", 1000)
 RINGS = ("shrink-fit.prm", "normal force of fit", 84.717379 * 30 * math.pi / 2)
 FREE_BOUNDARY = ("polynomial.prm", "force of foot", 1 / 120)
+PARTIAL_SLIP = ("friction-mindlin.prm", "friction force of interface", 89.93)
+PRESSED_THEN_PULLED = ["Load steps/Times=1, 2", "Expected results/Names="]
 
 
 def wanted(quantity, *more):
@@ -152,6 +154,29 @@ def no_time(test):
     test.check(abs(found["value"] - PUNCH[2]) <= found["error_bound"], "the exact value is outside of the bar")
 
 
+def path_of_friction(test):
+    """A hard block is pressed down and pulled at the same time: the stick zone of one load step is too small by a third. Bars hold for
+    twenty load steps, by their part of the path. Pressed first and pulled then, load steps do not matter, and that part is nothing."""
+    together = ["Definitions/q=0.002905292*t", "Bodies/upper/Young's modulus=1e6", "Bodies/lower/Subdivisions=10,5",
+                "Bodies/upper/Subdivisions=10,5", "Mesh/Refinement regions/contact/Levels=2", "Expected results/Names="]
+    names = {"friction force of interface": lambda pair: math.hypot(*pair["friction_force"]),
+             "stick area of interface": lambda pair: pair["stick_area"],
+             "friction work of interface": lambda pair: pair["total_friction_work"]}
+    scene, quantities = SCENES / PARTIAL_SLIP[0], wanted(", ".join(names))
+    twenty = ", ".join(f"{n / 20}" for n in range(1, 21))
+    in_twenty = test.results(scene, [*together, f"Load steps/Times={twenty}"], 2)["load_steps"][-1]["pairs"]["interface"]
+    in_one, then = (test.results(scene, [*quantities, *sets], 2)["accuracy"]["quantities"]
+                    for sets in ([*together, "Load steps/Times=1"], [*together[2:], *PRESSED_THEN_PULLED]))
+    for name, value in names.items():
+        found, exact = in_one[name], value(in_twenty)
+        change, path = abs(found["value"] - exact), found["parts"]["path"]
+        test.print(f"{name}: {found['value']:.4g} +- {found['error_bound']:.2g} (path {path:.2g}), in twenty steps {exact:.4g}; "
+                   f"then {then[name]['value']:.4g}, path {then[name]['parts']['path']:.2g}")
+        test.check(change <= found["error_bound"], f"{name}: {exact} is outside of {found['value']} +- {found['error_bound']}")
+        test.check(name != "stick area of interface" or change > found["error_bound"] - path, f"{name} needs no part of the path")
+        test.check(then[name]["parts"]["path"] <= 1e-5 * then[name]["value"], f"{name}: there is no path")
+
+
 def same_on_ranks(test):
     """Bars do not depend on the number of ranks; cells that are joined do a little, since they may be on different ranks."""
     for cycles, tolerance in ((0, 2e-3), (2, 0.02)):
@@ -183,6 +208,9 @@ def cases():
     yield Case("accuracy", "target/rings", aimed_at(RINGS, 2e-3, 3000, 1))
     yield Case("accuracy", "target/free boundary", aimed_at(FREE_BOUNDARY, 2e-3, 8000, 1))
     yield Case("accuracy", "target/chosen method", aimed_at(PUNCH, 2e-4, 30000, 2, *method("auto")), ranks=2)
+    yield Case("accuracy", "friction/path", path_of_friction, ranks=2)
+    yield Case("accuracy", "friction/target", aimed_at(PARTIAL_SLIP, 2e-2, 12000, 2, "Mesh/Refinement regions/near/Levels=0",
+                                                       "Mesh/Refinement regions/contact/Levels=0", *PRESSED_THEN_PULLED), ranks=2)
     yield Case("accuracy", "without limit", without_limit)
     yield Case("accuracy", "history", there_and_back)
     yield Case("accuracy", "no time", no_time)
