@@ -368,11 +368,19 @@ TEST_CASE("doc/guide/results.md describes the fields of VTU files and the column
   CHECK(listed(fields_of(rough.folder / "out" / "contact_0001.0.vtu")) ==
         listed(documented("contact.pvd")));
 
-  std::istringstream file(text_of(out / "profiles" / "foot.csv"));
-  std::string        header;
-  std::getline(file, header);
-  const auto columns = split(header, ',');
-  CHECK(listed({columns.begin(), columns.end()}) == listed(documented("Profiles")));
+  // A known solution adds a column, and friction others.
+  std::set<std::string> columns;
+  for (const fs::path &folder : {out, rough.folder / "out"})
+    for (const auto &profile : fs::directory_iterator(folder / "profiles"))
+      if (profile.path().extension() == ".csv")
+        {
+          std::istringstream file(text_of(profile.path()));
+          std::string        header;
+          std::getline(file, header);
+          for (const std::string &column : split(header, ','))
+            columns.insert(column);
+        }
+  CHECK(listed(columns) == listed(documented("Profiles")));
 }
 
 
