@@ -11,6 +11,17 @@ namespace Signorini
 {
   using namespace dealii;
 
+  double
+  length_at(const PointVectors &v, const types::global_dof_index i, const unsigned int first)
+  {
+    double square = 0;
+    for (unsigned int a = first; a < v.size(); ++a)
+      square += v[a](i) * v[a](i);
+    return std::sqrt(square);
+  }
+
+
+
   template <int dim>
   std::vector<LA::Vector>
   in_space(const Snapshot<dim> &s, const PointVectors &tangential)
@@ -88,11 +99,8 @@ namespace Signorini
     LA::Vector          margin = s.contact.zero();
     for (const auto i : margin.locally_owned_elements())
       {
-        double size = 0;
-        for (unsigned int a = 1; a < t.size(); ++a)
-          size = std::hypot(size, double(t[a](i)));
         const double bound = s.contact.coefficients.friction_bound(i, t[0](i)).value;
-        margin(i)          = std::max(0., bound - size);
+        margin(i)          = std::max(0., bound - length_at(t, i, 1));
       }
     margin.compress(VectorOperation::insert);
     return contact_patch(s,

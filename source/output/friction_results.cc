@@ -4,7 +4,6 @@
 #include "output/results.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace Signorini
 {
@@ -35,17 +34,6 @@ namespace Signorini
       }
     };
 
-    /// @return the length of a vector at a point.
-    /// @param first the first of its components
-    double
-    size_at(const PointVectors &v, const types::global_dof_index i, const unsigned int first)
-    {
-      double square = 0;
-      for (unsigned int a = first; a < v.size(); ++a)
-        square += v[a](i) * v[a](i);
-      return std::sqrt(square);
-    }
-
     /// @return the sums of one pair. Collective.
     template <int dim>
     FrictionSums
@@ -69,11 +57,11 @@ namespace Signorini
           sums.work += weight * work;
           if (!is_closed(s.contact_state.status(i)))
             continue;
-          const double size = size_at(t, i, 1);
-          sums.slip         = std::max(sums.slip, size_at(gaps, i, 1));
-          sums.total_slip   = std::max(sums.total_slip, size_at(slip, i, 0));
+          const double size = length_at(t, i, 1);
+          sums.slip         = std::max(sums.slip, length_at(gaps, i, 1));
+          sums.total_slip   = std::max(sums.total_slip, length_at(slip, i, 0));
           if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
-            sums.elastic_slip = std::max(sums.elastic_slip, size_at(gaps, i, 1));
+            sums.elastic_slip = std::max(sums.elastic_slip, length_at(gaps, i, 1));
           sums.excess =
             std::max(sums.excess, size - s.contact.coefficients.friction_bound(i, t[0](i)).value);
           sums.gained = std::max(sums.gained, -work);
@@ -90,12 +78,7 @@ namespace Signorini
       double                        largest = 0;
       const std::vector<LA::Vector> t       = tangential_traction(s, pair);
       for (const auto i : t[0].locally_owned_elements())
-        {
-          double square = 0;
-          for (const LA::Vector &component : t)
-            square += component(i) * component(i);
-          largest = std::max(largest, std::sqrt(square));
-        }
+        largest = std::max(largest, length_at(t, i));
       return Utilities::MPI::max(largest, s.elasticity.mesh().communicator());
     }
   } // namespace

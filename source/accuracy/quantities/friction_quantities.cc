@@ -5,7 +5,7 @@
 #include "fields/friction_fields.h"
 #include <signorini/solid/model.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace Signorini
 {
@@ -13,19 +13,6 @@ namespace Signorini
 
   namespace
   {
-    /// @return the length of the tangential part of a vector at a point.
-    /// @param first the number of its first tangential component
-    double
-    tangential_size(const PointVectors           &v,
-                    const types::global_dof_index i,
-                    const unsigned int            first)
-    {
-      double square = 0;
-      for (unsigned int a = first; a < v.size(); ++a)
-        square += v[a](i) * v[a](i);
-      return std::sqrt(square);
-    }
-
     /// @return the slip that a mesh may miss where a point sticks: an elastic displacement over the
     /// size of a face. Meshes that do not resolve partial slip have none at all.
     template <int dim>
@@ -33,8 +20,7 @@ namespace Signorini
     missed_slip(const Snapshot<dim> &s, const types::global_dof_index i)
     {
       return status_of(s.contact_state.status(i)) == ContactStatus::stick ?
-               tangential_size(s.contact_state.traction, i, 1) /
-                 s.contact.coefficients.stiffness(i) :
+               length_at(s.contact_state.traction, i, 1) / s.contact.coefficients.stiffness(i) :
                0.;
     }
 
@@ -125,7 +111,7 @@ namespace Signorini
     for_rows<dim>(s, pair, [&](const auto i) {
       if (!sticks(i))
         return;
-      sum += s.contact.weight(i) * (bound(i).value - tangential_size(t, i, 1));
+      sum += s.contact.weight(i) * (bound(i).value - length_at(t, i, 1));
       area += s.contact.weight(i);
     });
     const MPI_Comm comm = s.elasticity.mesh().communicator();
@@ -136,7 +122,7 @@ namespace Signorini
     for_rows<dim>(s, pair, [&](const auto i) {
       if (!sticks(i))
         return;
-      const double size = tangential_size(t, i, 1), m = std::max(0., bound(i).value - size),
+      const double size = length_at(t, i, 1), m = std::max(0., bound(i).value - size),
                    slope = s.contact.weight(i) * c / ((m + c) * (m + c));
       own += s.contact.weight(i) * m / (m + c);
       result.of_traction[0](i) = slope * bound(i).by_pressure;
@@ -169,7 +155,7 @@ namespace Signorini
     types::global_dof_index row = numbers::invalid_dof_index;
     for_rows<dim>(s, pair, [&](const auto i) {
       missed = std::max(missed, missed_slip(s, i));
-      if (const double size = tangential_size(slip, i, 0);
+      if (const double size = length_at(slip, i);
           is_closed(s.contact_state.status(i)) && size > most)
         {
           most = size;
@@ -213,7 +199,7 @@ namespace Signorini
     double             sum = 0, missed = 0;
     for_rows<dim>(s, pair, [&](const auto i) {
       const double weight = s.contact.weight(i);
-      missed += weight * tangential_size(t, i, 1) * missed_slip(s, i);
+      missed += weight * length_at(t, i, 1) * missed_slip(s, i);
       if (!work.empty())
         sum += weight * work[0](i);
       if (status_of(s.contact_state.status(i)) != ContactStatus::slip)
