@@ -79,6 +79,11 @@ namespace Signorini
     /// mesh, if friction lets them depend on it. Does not change the state.
     void
     measure_path_errors();
+    /// Solve the load history from the undeformed state, each load step in equal parts.
+    /// @param ends of the load steps
+    /// @return whether all could be solved
+    bool
+    solve_in_parts(const std::vector<double> &ends, unsigned int parts, double tolerance);
     /// The values of the quantities at the present solution.
     std::vector<double>
     quantity_values();

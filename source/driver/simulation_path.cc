@@ -180,6 +180,26 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  Simulation<dim>::solve_in_parts(const std::vector<double> &ends,
+                                  const unsigned int         parts,
+                                  const double               tolerance)
+  {
+    return_to_start();
+    double from = 0;
+    for (const double end : ends)
+      {
+        for (unsigned int k = 1; k <= parts; ++k)
+          if (!solve_from_touch(k == parts ? end : from + k * (end - from) / parts, tolerance))
+            return false;
+        from = end;
+      }
+    return true;
+  }
+
+
+
   // The load history with its load steps, with halves and with quarters of them, (8.18).
   template <int dim>
   void
@@ -218,23 +238,11 @@ namespace Signorini
       return true;
     });
     std::vector<std::vector<double>> values;
-    for (unsigned int parts = 1; is_solved; parts *= 2)
+    for (const unsigned int parts : {1, 2, 4})
       {
-        if (parts > 1)
-          {
-            return_to_start();
-            double from = 0;
-            for (const double end : ends)
-              {
-                for (unsigned int k = 1; k <= parts && is_solved; ++k)
-                  is_solved =
-                    solve_from_touch(k == parts ? end : from + k * (end - from) / parts, tolerance);
-                from = end;
-              }
-          }
-        values.push_back(quantity_values());
-        if (parts == 4)
-          break;
+        is_solved = is_solved && (parts == 1 || solve_in_parts(ends, parts, tolerance));
+        if (is_solved)
+          values.push_back(quantity_values());
       }
     problem.equilibrium->return_to(before);
 
@@ -260,6 +268,9 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template bool                Simulation<dim>::controls_path() const;                             \
+  template bool                Simulation<dim>::solve_in_parts(const std::vector<double> &,        \
+                                                unsigned int,                       \
+                                                double);                            \
   template std::vector<double> Simulation<dim>::quantity_values();                                 \
   template void                Simulation<dim>::measure_path_errors();                             \
   template bool                Simulation<dim>::solve_step(double, double, bool);
