@@ -113,18 +113,20 @@ namespace Signorini
 
 
 
-  unsigned int
+  ActiveSet::Changes
   ActiveSet::count_changes()
   {
-    unsigned int n = 0;
+    std::vector<unsigned int> counts(2, 0);
     for (const auto i : now.locally_owned_elements())
       if (now(i) != last(i))
         {
           changes(i) += 1;
-          ++n;
+          ++counts[0];
+          counts[1] += is_closed(now(i)) != is_closed(last(i));
         }
     changes.compress(VectorOperation::add);
-    return Utilities::MPI::sum(n, now.get_mpi_communicator());
+    Utilities::MPI::sum(counts, now.get_mpi_communicator(), counts);
+    return {counts[0], counts[1]};
   }
 
 

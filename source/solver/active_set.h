@@ -58,12 +58,22 @@ namespace Signorini
     void
     stick_where_traction_turns(const PointVectors &trial, const PointVectors &traction);
 
-    /// Let the slipping points stick whose trial traction, relative to the bound of friction, is
-    /// least. Returns their number. Collective.
+    /// Let the slipping points of each pair stick whose trial traction, relative to the bound of
+    /// friction, is least. Returns their number. Collective.
     /// @param trial trial traction of the law
-    /// @param share 1: all below the mean; 0: the least only
+    /// @param share 1: all below the mean of their pair; 0: the least only
     unsigned int
     stick_least_loaded(const PointVectors &trial, double share);
+
+    /// Of the points that stuck and would slip, let only those slip, in each pair, whose trial
+    /// traction relative to the bound of friction is at least the mean of them. Collective.
+    /// @param trial trial traction of the law
+    void
+    slip_most_loaded(const PointVectors &trial);
+
+    /// Let the points that close stick for this step, where there is friction. Collective.
+    void
+    stick_where_closing();
 
     /// Let the points that were and are closed keep the kind of their status, slip or stick.
     /// Returns true if that changes the set. Collective.
@@ -119,9 +129,15 @@ namespace Signorini
     bool
     is_cycling();
 
-    /// Number of points whose status differs from that of the last step; counts the changes of each
-    /// point. Collective.
-    unsigned int
+    /// Numbers of points.
+    struct Changes
+    {
+      unsigned int all      = 0; ///< whose status differs from that of the last step
+      unsigned int openings = 0; ///< those among them that open or close
+    };
+
+    /// Count the changes since the last step, and add them to those of each point. Collective.
+    Changes
     count_changes();
 
     /// Indicator of chattering points: 1 at the contact points that changed often.

@@ -112,7 +112,13 @@ namespace Signorini
         // is not a solution.
         if (n == 0 && !is_cold)
           kept_kinds = active_set.keep_kinds();
+        // On a cold start points have slipped by anything before they close.
+        if (is_cold && n <= steps_of_growth)
+          active_set.stick_where_closing();
         active_set.stick_where_traction_turns(trial, in.traction);
+        // Where too many have been let go before, a few at a time.
+        if (n_holds > 0)
+          active_set.slip_most_loaded(trial);
         if (hold_bodies(trial))
           step.restricted_set = true;
       }
@@ -143,8 +149,10 @@ namespace Signorini
       kept_kinds ||
       (n == 0 && (active_set.restore_previous_if_active() ||
                   (!is_cold && active_set.replace_if_empty(law.status(in.traction)))));
-    step.active  = active_set.size();
-    step.changes = active_set.count_changes();
+    const ActiveSet::Changes changes = active_set.count_changes();
+    step.active                      = active_set.size();
+    step.changes                     = changes.all;
+    step.openings                    = changes.openings;
     n_changes += step.changes > 0;
     // End of the penalty continuation, once at most 20 % of the active points change. A stiff
     // penalty reduces a contact area that is too large point by point, a soft one at once; the sign

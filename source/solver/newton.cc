@@ -168,18 +168,24 @@ namespace Signorini
             return;
           }
       }
-    const bool stays = step.changes == 0 && !step.kept_previous_set && !step.restricted_set &&
-                       !law.has_scaled_penalty();
-    // The caller's criterion is evaluated only for an unchanged active set and a residual below
-    // 1e-3.
+    const auto size = [](const NewtonStep &s) { return std::max(s.residual, s.gap_residual); };
+    const bool keeps_contact = step.openings == 0 && !step.kept_previous_set &&
+                               !step.restricted_set && !law.has_scaled_penalty();
+    // Few points that change between stick and slip are found as well on the next configuration.
+    constexpr double few = 0.1;
+    const bool       is_nearly_settled =
+      step.changes == 0 || (n > 0 && size(step) <= few * size(report.steps.front()));
+    // The caller's criterion, which asks for the pressure, is evaluated only while no point opens
+    // or closes and the residual is below 1e-3.
     const auto is_sufficient = [&] {
       return stopping.is_sufficient && n > 0 && !report.converged && !law.augments() &&
-             std::max(step.residual, step.gap_residual) <= 1e-3 && stopping.is_sufficient();
+             size(step) <= 1e-3 && stopping.is_sufficient();
     };
     if (!std::isfinite(step.residual + step.gap_residual))
       report.reason =
         "the residual is not a finite number: loads, supports or the mesh are invalid";
-    else if (stays && (n >= stopping.sufficient_steps || is_sufficient()))
+    else if (keeps_contact &&
+             ((is_nearly_settled && n >= stopping.sufficient_steps) || is_sufficient()))
       report.converged = true;
     else if (!report.converged && n == settings.maximum_steps)
       report.reason = "Newton's method did not converge in " + std::to_string(n) +
@@ -257,8 +263,8 @@ namespace Signorini
         report.reason =
           "unconstrained rigid-body mode under load: " + join(loaded) +
           (contact.n_components() > 1 ?
-             ": neither supports nor contact within the search distance constrain it, and the "
-             "friction of the contact pairs is exceeded: it slides as a whole; prescribe its motion" :
+             ": neither supports nor contact within the search distance constrain it: it slides or "
+             "tips where friction does not hold it; if it does so, prescribe its motion" :
              ": neither supports nor contact within the search distance constrain it");
       }
     if (contact.has_condensed_constraints)

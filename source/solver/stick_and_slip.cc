@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of the active set that decides between stick and slip.
+#include "fields/friction_fields.h"
 #include "solver/active_set.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ namespace Signorini
             {
               for (unsigned int d = 0; d < direction.size(); ++d)
                 direction[d] += contact.weight(i) * in_space(i, d);
-              all += contact.weight(i) * size(i);
+              all += contact.weight(i) * length_at(trial, i, 1);
             }
         Utilities::MPI::sum(direction, comm, direction);
         all              = Utilities::MPI::sum(all, comm);
@@ -80,7 +81,7 @@ namespace Signorini
       operator()(const types::global_dof_index i) const
       {
         if (direction.empty())
-          return size(i) / bound(i);
+          return length_at(trial, i, 1) / bound(i);
         double along = 0;
         for (unsigned int d = 0; d < direction.size(); ++d)
           along += in_space(i, d) * direction[d];
@@ -104,15 +105,6 @@ namespace Signorini
         return sum;
       }
 
-      double
-      size(const types::global_dof_index i) const
-      {
-        double square = 0;
-        for (unsigned int a = 1; a < trial.size(); ++a)
-          square += trial[a](i) * trial[a](i);
-        return std::sqrt(square);
-      }
-
       const GapOperator  &contact;
       const PointVectors &trial;
       const LA::Vector   &status;
@@ -129,30 +121,84 @@ namespace Signorini
     const MPI_Comm    comm = now.get_mpi_communicator();
     const LA::Vector  status(now);
     const HoldingLoad load(contact, trial, status);
-    double            sum = 0, n = 0, least = std::numeric_limits<double>::max();
-    for (const auto i : now.locally_owned_elements())
-      if (load.slips(i))
+    // Each pair may have to hold another body.
+    const unsigned int  n_pairs = contact.n_pairs();
+    std::vector<double> sum(n_pairs, 0.), n(n_pairs, 0.),
+      least(n_pairs, std::numeric_limits<double>::max());
+    const auto for_slipping_points = [&](const auto &act) {
+      auto pair = contact.origin.pair.begin();
+      for (const auto i : now.locally_owned_elements())
         {
-          sum += load(i);
-          ++n;
-          least = std::min(least, load(i));
+          const unsigned int p = *pair++;
+          if (load.slips(i))
+            act(i, p);
         }
-    sum   = Utilities::MPI::sum(sum, comm);
-    n     = Utilities::MPI::sum(n, comm);
-    least = Utilities::MPI::min(least, comm);
-    if (n == 0)
-      return 0;
-    // Equal loads differ by rounding.
-    const double most   = least + share * (sum / n - least) + 1e-9 * std::abs(least);
+    };
+    for_slipping_points([&](const auto i, const unsigned int p) {
+      sum[p] += load(i);
+      ++n[p];
+      least[p] = std::min(least[p], load(i));
+    });
+    Utilities::MPI::sum(sum, comm, sum);
+    Utilities::MPI::sum(n, comm, n);
+    Utilities::MPI::min(least, comm, least);
     unsigned int result = 0;
-    for (const auto i : now.locally_owned_elements())
-      if (load.slips(i) && load(i) <= most)
+    for_slipping_points([&](const auto i, const unsigned int p) {
+      // Equal loads differ by rounding.
+      if (load(i) <= least[p] + share * (sum[p] / n[p] - least[p]) + 1e-9 * std::abs(least[p]))
         {
           now(i) = static_cast<double>(ContactStatus::stick);
           ++result;
         }
+    });
     now.compress(VectorOperation::insert);
     return Utilities::MPI::sum(result, comm);
+  }
+
+
+
+  void
+  ActiveSet::slip_most_loaded(const PointVectors &trial)
+  {
+    const MPI_Comm      comm    = now.get_mpi_communicator();
+    const unsigned int  n_pairs = contact.n_pairs();
+    std::vector<double> sum(n_pairs, 0.), n(n_pairs, 0.);
+    const auto          bound = [&](const auto i) {
+      return contact.coefficients.friction_bound(i, trial[0](i)).value;
+    };
+    const auto load         = [&](const auto i) { return length_at(trial, i, 1) / bound(i); };
+    const auto for_releases = [&](const auto &act) {
+      auto pair = contact.origin.pair.begin();
+      for (const auto i : now.locally_owned_elements())
+        {
+          const unsigned int p = *pair++;
+          if (status_of(now(i)) == ContactStatus::slip &&
+              status_of(last(i)) == ContactStatus::stick && bound(i) > 0)
+            act(i, p);
+        }
+    };
+    for_releases([&](const auto i, const unsigned int p) {
+      sum[p] += load(i);
+      ++n[p];
+    });
+    Utilities::MPI::sum(sum, comm, sum);
+    Utilities::MPI::sum(n, comm, n);
+    for_releases([&](const auto i, const unsigned int p) {
+      if (load(i) < (1 - 1e-9) * sum[p] / n[p])
+        now(i) = static_cast<double>(ContactStatus::stick);
+    });
+    now.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  ActiveSet::stick_where_closing()
+  {
+    for (const auto i : now.locally_owned_elements())
+      if (is_closed(now(i)) && !is_closed(last(i)) && contact.coefficients.friction(i) > 0)
+        now(i) = static_cast<double>(ContactStatus::stick);
+    now.compress(VectorOperation::insert);
   }
 
 
