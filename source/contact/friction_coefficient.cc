@@ -86,6 +86,18 @@ namespace Signorini
 
 
   template <int dim>
+  bool
+  FrictionCoefficient<dim>::depends_on_points() const
+  {
+    bool result = compiled && compiled->depends_on(dim + 2);
+    for (unsigned int d = 0; d < dim && compiled; ++d)
+      result = result || compiled->depends_on(d);
+    return result;
+  }
+
+
+
+  template <int dim>
   double
   FrictionCoefficient<dim>::value(const Point<dim> &x,
                                   const double      t,

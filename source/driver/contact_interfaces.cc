@@ -89,7 +89,8 @@ namespace Signorini
   // Exchange slave and master of pair i in the reference configuration if Sides requires it
   // (doc/theory, 3.6) and the settings allow it. The pair stays as it is, and is not tried again,
   // if the method is not valid with the other slave, or if the other slave covers less than nine
-  // tenths of the area. Collective.
+  // tenths of the area. A coefficient of friction by place or slip is that of the slave as named.
+  // Collective.
   template <int dim>
   void
   ContactInterfaces<dim>::exchange_sides(const Configuration<dim> &configuration,
@@ -99,8 +100,8 @@ namespace Signorini
     ContactPair<dim> &pair  = decisions.pairs[i];
     const Sides       sides = my_surfaces[i].sides;
     if (!configuration.is_reference() || pair.is_self() || pair.sides == SideChoice::as_named ||
-        scene.contact.chosen().unbiased() || !sides.should_be_exchanged() ||
-        unexchangeable.count(pair.name) > 0)
+        pair.friction.depends_on_points() || scene.contact.chosen().unbiased() ||
+        !sides.should_be_exchanged() || unexchangeable.count(pair.name) > 0)
       return;
     ContactPair<dim> other = pair;
     other.exchange();

@@ -46,6 +46,11 @@ namespace Signorini
     bool
     is_nonlinear() const;
 
+    /// True if the coefficient belongs to the material points of the slave: by their place, or by
+    /// the slip that they have behind them.
+    bool
+    depends_on_points() const;
+
     /// @return the coefficient; not a number where it is negative.
     /// @param x position in the reference configuration
     /// @param t time
