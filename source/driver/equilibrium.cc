@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/equilibrium.h"
 
+#include "fields/friction_fields.h"
 #include <signorini/contact/methods/method.h>
 
 #include <algorithm>
@@ -92,6 +93,7 @@ namespace Signorini
             contact_state.pressure(),
             active,
             contact_state,
+            at.friction_work,
             at.time,
             step};
   }
@@ -217,7 +219,8 @@ namespace Signorini
     const State before = state;
     if (t > state.time && is_path_dependent())
       {
-        state.start = {state.displacement, state.contact, state.material, t - state.time};
+        state.start = {
+          state.displacement, state.contact, state.material, t - state.time, state.friction_work};
         configuration_solver.start_step();
       }
     try
@@ -239,6 +242,8 @@ namespace Signorini
               }
             gap    = contact.gap_operator().gap(state.displacement);
             active = closed_points(configuration_solver.contact_state().status);
+            if (scene.contact.chosen().has_friction)
+              state.friction_work = work_of_friction(snapshot(0), state.start.friction_work);
             return true;
           }
       }

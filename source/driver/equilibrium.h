@@ -90,6 +90,11 @@ namespace Signorini
     double
     turn_of_loads(double from, double to);
 
+    /// The largest angle by which an obstacle turns between now and a time [radian], if the contact
+    /// geometry is the current one; else zero. Collective.
+    double
+    turn_of_obstacles(double t);
+
     /// Return to a state of this mesh, to solve the load steps after it again. Collective.
     void
     return_to(const State &before);

@@ -158,7 +158,12 @@ namespace Signorini
       throw SceneError(
         "--restart " + recorder.directory() + ": " + former->name +
         " and restart.scene belong to different runs; solve the scene from the start");
-    position = {head.at("cycle"), head.at("time"), head.at("step"), head.at("longest")};
+    const Json &path = head.at("path");
+    position         = {head.at("cycle"),
+                        head.at("time"),
+                        head.at("step"),
+                        head.at("longest"),
+                        {{path.at(0), path.at(1)}, {path.at(2), path.at(3)}}};
     out << "Restart from " << recorder.directory() << "/" << former->name << ", written by "
         << head.at("parts").size() << " ranks: mesh " << position.cycle << ", load step "
         << position.step << ", t = " << position.time << std::endl;
@@ -201,15 +206,17 @@ namespace Signorini
       return result;
     };
     State there;
-    there.displacement = displacement(part.displacement, "rigid_motion");
-    there.contact      = field_of(part.contact, dim);
-    there.time         = head.at("state_time");
+    there.displacement  = displacement(part.displacement, "rigid_motion");
+    there.contact       = field_of(part.contact, dim);
+    there.time          = head.at("state_time");
+    there.friction_work = head.at("friction_work").get<std::vector<double>>();
     // Only runs whose solution depends on the path have a start of the load step.
     if (head.contains("rigid_motion_at_start"))
       there.start = {displacement(part.start_displacement, "rigid_motion_at_start"),
                      field_of(part.start_contact, dim),
                      part.start_material,
-                     head.at("duration")};
+                     head.at("duration"),
+                     head.at("friction_work_at_start")};
     there.material = part.material;
     problem.equilibrium->set_state(there, head.at("follows"));
     problem.former_cycles  = head.at("multigrid_cycles");
@@ -235,7 +242,13 @@ namespace Signorini
                  {"time", position.time},
                  {"step", position.step},
                  {"longest", position.longest},
+                 {"path",
+                  {position.path.largest.tractions,
+                   position.path.largest.work,
+                   position.path.spent.tractions,
+                   position.path.spent.work}},
                  {"state_time", problem.state.time},
+                 {"friction_work", problem.state.friction_work},
                  {"follows", problem.equilibrium->uses_current_geometry()},
                  {"tolerance", refinement.tolerance},
                  {"decisions", problem.decisions.save()},
@@ -247,7 +260,8 @@ namespace Signorini
       {
         head["rigid_motion_at_start"] =
           problem.elasticity->rigid_motion(problem.state.start.displacement);
-        head["duration"] = problem.state.start.duration;
+        head["duration"]               = problem.state.start.duration;
+        head["friction_work_at_start"] = problem.state.start.friction_work;
       }
     last = Passed{problem.state, head};
     if (position.cycle + position.step == 0 || std::exchange(my_is_restored, false) || is_finished)

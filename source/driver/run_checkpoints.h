@@ -3,6 +3,7 @@
 
 #include "checkpoint/checkpoints.h"
 #include "driver/adaptive_refinement.h"
+#include "driver/path_control.h"
 #include "output/recorder.h"
 #include <signorini/base/exit_code.h>
 
@@ -33,6 +34,8 @@ namespace Signorini
     unsigned int step = 0;
     /// Largest length of the next load step, after cut-backs.
     double longest = std::numeric_limits<double>::max();
+    /// With friction; largest sizes of zero: unknown.
+    PathControl::Budget path;
   };
 
   /// @return the exit code of the run in an output directory, if that run is finished. A finished

@@ -54,6 +54,7 @@ namespace Signorini
     , problem(this->scene, comm, out, timer, [this] { return watch(); })
     , refinement(this->scene, problem, comm, out, timer, clock)
     , origin(origin)
+    , path_control(scene.load_steps.path_error)
   {
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())
@@ -267,6 +268,7 @@ namespace Signorini
                               nothing.pressure(),
                               nothing.status,
                               nothing,
+                              problem.state.friction_work,
                               scene.load_steps.ends().front(),
                               0};
     Json                step =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/interruption.h"
+#include "driver/path_control.h"
 #include "driver/run_checkpoints.h"
 #include "scene/decisions.h"
 #include "solver/newton.h"
@@ -72,6 +73,18 @@ namespace Signorini
     /// @param may_be_halved whether it is longer than the shortest one
     bool
     solve_step(double t, double tolerance, bool may_be_halved);
+    /// The present solution as far as it depends on the path. Collective.
+    PathControl::Solution
+    solution_of_path() const;
+    /// Estimate the largest sizes in the rest of the load history. Does not change the state.
+    /// Collective.
+    /// @param ends of the load steps that the scene asks for
+    PathControl::Size
+    largest_of_path(const std::vector<double> &ends, double tolerance);
+    /// Solve a load step with friction in as many parts as are needed to follow the turn of
+    /// obstacles: slip is the straight way of a load step along the tangents at its end.
+    bool
+    solve_following_turn(double t, double tolerance);
     /// Solve a load step with friction, divided where surfaces first meet.
     bool
     solve_from_touch(double t, double tolerance);
@@ -138,7 +151,17 @@ namespace Signorini
     Position                             position;
     std::unique_ptr<RunCheckpoints<dim>> checkpoints; ///< null if nothing is written
     std::unique_ptr<Interruption>        interruption;
-    double                shortest_tried = 0; ///< load step since the last solved one
-    std::optional<double> my_path_error;      ///< of the last load step, if it was estimated
+    double shortest_tried = 0; ///< load step since the last solved one
+
+    /// The first half of a load step whose length was rejected.
+    struct FirstHalf
+    {
+      double                from, to;
+      PathControl::Solution solution;
+    };
+
+    PathControl              path_control;
+    std::optional<FirstHalf> first_half;    ///< of the load step before, if it is known
+    std::optional<double>    my_path_error; ///< of the last load step, if it was estimated
   };
 } // namespace Signorini

@@ -5,6 +5,7 @@
 #include <signorini/base/text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -170,9 +171,12 @@ namespace Signorini
                                       Position                                     &from,
                                       const std::function<bool(unsigned int step)> &visit)
   {
-    const std::vector<double> ends    = scene.load_steps.ends();
-    double                    start   = 0;
-    auto &[cycle, t, number, longest] = from;
+    const std::vector<double> ends          = scene.load_steps.ends();
+    double                    start         = 0;
+    auto &[cycle, t, number, longest, path] = from;
+    if (controls_path() && path.largest.tractions == 0)
+      path.largest = largest_of_path(ends, tolerance);
+    path_control.set_budget(path);
     for (const double end : ends)
       {
         const double shortest = scene.load_steps.shortest(end - start);
@@ -190,8 +194,11 @@ namespace Signorini
             if (solve_step(next, tolerance, next - t > 1.999 * shortest))
               {
                 longest =
-                  scene.load_steps.next_length(next - t, problem.report().steps.size(), longest);
+                  my_path_error ?
+                    path_control.growth() * (next - t) :
+                    scene.load_steps.next_length(next - t, problem.report().steps.size(), longest);
                 t              = next;
+                path           = path_control.budget();
                 shortest_tried = 0;
                 if (!visit(++number))
                   return false;
@@ -204,7 +211,12 @@ namespace Signorini
                                                    !scene.contact.chosen().has_friction))
                   return false;
                 if (my_path_error)
-                  out << "  the path: halving the load step" << std::endl;
+                  out << "  the path: halving the load step"
+                      << (std::isfinite(*my_path_error) ?
+                            ", whose halves change tangential tractions or work by " +
+                              short_text(100 * *my_path_error, 2) + " % of the largest" :
+                            ", in which loads turn")
+                      << std::endl;
                 else
                   out << "  no convergence (" << problem.report().reason
                       << (problem.report().tangent_is_indefinite ?

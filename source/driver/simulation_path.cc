@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace Signorini
 {
@@ -22,8 +24,47 @@ namespace Signorini
 
 
 
-  // The tractions after one load step are compared with those after two of half the length, which
-  // are kept. Without tangential tractions there is no path.
+  template <int dim>
+  PathControl::Solution
+  Simulation<dim>::solution_of_path() const
+  {
+    PathControl::Solution result;
+    if (problem.state.time > 0)
+      result.tractions = all_tangential_tractions(problem.equilibrium->snapshot(0));
+    const std::vector<double> &work = problem.state.friction_work;
+    result.work                     = std::accumulate(work.begin(), work.end(), 0.);
+    return result;
+  }
+
+
+
+  // The largest ones at the ends of load steps that follow the changes of supports only. Without
+  // convergence what has been found up to there counts.
+  template <int dim>
+  PathControl::Size
+  Simulation<dim>::largest_of_path(const std::vector<double> &ends, const double tolerance)
+  {
+    out << "  the path: size of tangential tractions" << std::endl;
+    const State       before = problem.state;
+    PathControl::Size result = PathControl::distance(solution_of_path(), {});
+    for (const double end : ends)
+      if (end > problem.state.time)
+        {
+          if (!problem.solve(end, tolerance))
+            break;
+          const PathControl::Size there = PathControl::distance(solution_of_path(), {});
+          result.tractions              = std::max(result.tractions, there.tractions);
+          result.work                   = std::max(result.work, there.work);
+        }
+    problem.equilibrium->return_to(before);
+    return result;
+  }
+
+
+
+  // The solution after one load step is compared with that after two of half the length, which is
+  // kept. Without tangential tractions there is no path. Where the load step before was to be
+  // halved, the first half has been solved already.
   template <int dim>
   bool
   Simulation<dim>::solve_step(const double t, const double tolerance, const bool may_be_halved)
@@ -32,7 +73,7 @@ namespace Signorini
     if (!scene.contact.chosen().has_friction)
       return problem.solve(t, tolerance);
     if (!controls_path())
-      return solve_from_touch(t, tolerance);
+      return solve_following_turn(t, tolerance);
     const State before = problem.state;
     // Loads that turn within the step, as from pulling to pushing, would not be followed.
     if (may_be_halved &&
@@ -41,25 +82,57 @@ namespace Signorini
         my_path_error = std::numeric_limits<double>::infinity();
         return false;
       }
-    if (!solve_from_touch(t, tolerance))
-      return false;
-    const auto tractions = [this] {
-      return all_tangential_tractions(problem.equilibrium->snapshot(0));
-    };
-    const std::vector<LA::Vector> coarse = tractions();
-    if (are_negligible(coarse, problem.equilibrium->snapshot(0)))
-      return true;
-    problem.equilibrium->return_to(before);
-    if (solve_from_touch((before.time + t) / 2, tolerance) && solve_from_touch(t, tolerance))
+    const PathControl::Solution    at_start = solution_of_path();
+    const std::optional<FirstHalf> known    = std::exchange(first_half, {});
+    PathControl::Solution          coarse;
+    if (known && known->from == before.time && std::abs(known->to - t) <= 1e-12 * t)
+      coarse = known->solution;
+    else
       {
-        my_path_error = path_error(coarse, tractions());
-        if (*my_path_error <= scene.load_steps.path_error || !may_be_halved)
+        if (!solve_following_turn(t, tolerance))
+          return false;
+        coarse = solution_of_path();
+        if (are_negligible(coarse.tractions, problem.equilibrium->snapshot(0)))
           return true;
-        out << "  half as long load steps change tangential tractions by "
-            << short_text(100 * *my_path_error, 2) << " %" << std::endl;
+        problem.equilibrium->return_to(before);
+      }
+    const double middle = (before.time + t) / 2;
+    if (solve_following_turn(middle, tolerance))
+      {
+        first_half = FirstHalf{before.time, middle, solution_of_path()};
+        if (solve_following_turn(t, tolerance))
+          {
+            const bool is_accurate = path_control.judge(at_start, coarse, solution_of_path());
+            my_path_error          = path_control.error();
+            if (is_accurate || !may_be_halved)
+              {
+                path_control.accept();
+                return true;
+              }
+          }
       }
     problem.equilibrium->return_to(before);
     return false;
+  }
+
+
+
+  // An angle of 0.1 between the directions of slip at the start and at the end of a step changes
+  // its length by less than one percent.
+  template <int dim>
+  bool
+  Simulation<dim>::solve_following_turn(const double t, const double tolerance)
+  {
+    constexpr double   largest_turn = 0.2;
+    const double       start = problem.state.time, turn = problem.equilibrium->turn_of_obstacles(t);
+    const unsigned int parts = std::max(1., std::ceil(turn / largest_turn - 1e-9));
+    if (parts > 1)
+      out << "  obstacles turn by " << short_text(turn, 3) << ": " << parts
+          << " parts of the load step follow the direction of slip" << std::endl;
+    for (unsigned int k = 1; k <= parts; ++k)
+      if (!solve_from_touch(k == parts ? t : start + k * (t - start) / parts, tolerance))
+        return false;
+    return true;
   }
 
 
@@ -191,7 +264,7 @@ namespace Signorini
     for (const double end : ends)
       {
         for (unsigned int k = 1; k <= parts; ++k)
-          if (!solve_from_touch(k == parts ? end : from + k * (end - from) / parts, tolerance))
+          if (!solve_following_turn(k == parts ? end : from + k * (end - from) / parts, tolerance))
             return false;
         from = end;
       }
@@ -273,6 +346,8 @@ namespace Signorini
                                                 double);                            \
   template std::vector<double> Simulation<dim>::quantity_values();                                 \
   template void                Simulation<dim>::measure_path_errors();                             \
+  template PathControl::Size   Simulation<dim>::largest_of_path(const std::vector<double> &,       \
+                                                              double);                           \
   template bool                Simulation<dim>::solve_step(double, double, bool);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -15,6 +15,8 @@ namespace Signorini
     SurfaceField  contact;
     CellVariables material;
     double        duration = 0; ///< of the load step
+    /// The work of friction so far, see State.
+    std::vector<double> friction_work;
   };
 
   /// The state of a simulation: all that the next load step starts from.
@@ -27,6 +29,9 @@ namespace Signorini
     LA::Vector    volumetric_stress; ///< coefficients, on this mesh; empty: zero
     double        time = 0;
     unsigned int  step = 0; ///< load steps up to that time
+    /// The work that friction has taken from the bodies so far, of each pair with contact points
+    /// [force*length]; empty: none. Points that have left the contact are part of it.
+    std::vector<double> friction_work;
   };
 
   /// Scatter the values of all contact points to a surface field. Collective.

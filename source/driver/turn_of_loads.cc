@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/equilibrium.h"
+#include <signorini/solid/rigid_pose.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -45,8 +47,42 @@ namespace Signorini
 
 
 
+  // Free rotations are not known before the load step is solved. With the reference geometry, slip
+  // is that of the points in contact, whatever the turn.
+  template <int dim>
+  double
+  Equilibrium<dim>::turn_of_obstacles(const double t)
+  {
+    if (!my_uses_current_geometry && scene.contact.geometry != ContactGeometry::updated &&
+        !elasticity.is_finite_strain())
+      return 0;
+    const std::vector<double> before = elasticity.rigid_motion(state.displacement);
+    const double              now    = elasticity.time();
+    LA::Vector                u      = state.displacement;
+    elasticity.set_time(t);
+    elasticity.distribute(u);
+    const std::vector<double> after = elasticity.rigid_motion(u);
+    elasticity.set_time(now);
+    constexpr unsigned int n      = RigidPose<dim>::n_dofs;
+    double                 result = 0;
+    for (unsigned int first = 0; first < after.size(); first += n)
+      {
+        double square = 0;
+        for (unsigned int i = first + dim; i < first + n; ++i)
+          square += (after[i] - before[i]) * (after[i] - before[i]);
+        result = std::max(result, std::sqrt(square) / elasticity.rotation_length_scale());
+      }
+    return result;
+  }
+
+
+
   template double
   Equilibrium<2>::turn_of_loads(double, double);
   template double
   Equilibrium<3>::turn_of_loads(double, double);
+  template double
+  Equilibrium<2>::turn_of_obstacles(double);
+  template double
+  Equilibrium<3>::turn_of_obstacles(double);
 } // namespace Signorini

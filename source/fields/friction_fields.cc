@@ -124,6 +124,27 @@ namespace Signorini
 
 
 
+  // The law adds up the work per area of each point. That of a load step is what it has added there
+  // since its start, also where a point is open at the end.
+  template <int dim>
+  std::vector<double>
+  work_of_friction(const Snapshot<dim> &s, const std::vector<double> &before)
+  {
+    std::vector<double> result(s.pairs.size(), 0.);
+    const PointVectors &first = s.contact_state.internal.scalars,
+                       &last  = s.contact_state.internal_at_end.scalars;
+    auto pair                 = s.contact.origin.pair.begin();
+    for (const auto i : s.pressure.locally_owned_elements())
+      if (double &sum = result[*pair++]; !last.empty())
+        sum += s.contact.weight(i) * (last[0](i) - (first.empty() ? 0. : double(first[0](i))));
+    Utilities::MPI::sum(result, s.elasticity.mesh().communicator(), result);
+    for (unsigned int p = 0; p < before.size(); ++p)
+      result[p] += before[p];
+    return result;
+  }
+
+
+
   template <int dim>
   bool
   are_negligible(const std::vector<LA::Vector> &tractions, const Snapshot<dim> &snapshot)
@@ -139,22 +160,6 @@ namespace Signorini
 
 
 
-  double
-  path_error(const std::vector<LA::Vector> &coarse, const std::vector<LA::Vector> &fine)
-  {
-    double difference = 0, size = 0;
-    for (unsigned int k = 0; k < fine.size(); ++k)
-      {
-        LA::Vector change = fine[k];
-        change -= coarse[k];
-        difference += change.l1_norm();
-        size += fine[k].l1_norm();
-      }
-    return size > 0 ? difference / size : 0.;
-  }
-
-
-
 #define INSTANTIATE(dim)                                                                           \
   template std::vector<LA::Vector> in_space(const Snapshot<dim> &, const PointVectors &);          \
   template std::vector<LA::Vector> tangential_traction(const Snapshot<dim> &, unsigned int);       \
@@ -162,6 +167,8 @@ namespace Signorini
   template PointVectors            slip_at_points(const Snapshot<dim> &);                          \
   template ContactPatch            stick_zone(const Snapshot<dim> &, unsigned int);                \
   template std::vector<LA::Vector> all_tangential_tractions(const Snapshot<dim> &);                \
+  template std::vector<double>     work_of_friction(const Snapshot<dim> &,                         \
+                                                    const std::vector<double> &);                  \
   template bool are_negligible(const std::vector<LA::Vector> &, const Snapshot<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

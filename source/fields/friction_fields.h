@@ -67,6 +67,14 @@ namespace Signorini
   std::vector<LA::Vector>
   all_tangential_tractions(const Snapshot<dim> &snapshot);
 
+  /// @return the work that friction has taken from the bodies by the end of the load step, of each
+  /// pair [force*length]. Collective.
+  /// @param s the solution
+  /// @param before the work by its start; may be empty
+  template <int dim>
+  std::vector<double>
+  work_of_friction(const Snapshot<dim> &s, const std::vector<double> &before);
+
   /// @return whether tangential tractions are negligible beside the pressure, so that the solution
   /// does not depend on the path. Collective.
   /// @param tractions of the solution
@@ -74,11 +82,4 @@ namespace Signorini
   template <int dim>
   bool
   are_negligible(const std::vector<LA::Vector> &tractions, const Snapshot<dim> &snapshot);
-
-  /// @return the difference of tractions relative to the latter ones: the sums of their absolute
-  /// values over all nodes and components; zero if these are zero. Collective.
-  /// @param coarse tractions after one load step
-  /// @param fine after two of half the length
-  double
-  path_error(const std::vector<LA::Vector> &coarse, const std::vector<LA::Vector> &fine);
 } // namespace Signorini

@@ -25,8 +25,10 @@ namespace Signorini
     /// compression; active 1 or 0, or 2 where it alternates in a load step that was not solved.
     const LA::Vector   &gap, &pressure, &active;
     const ContactState &contact_state;
-    double              time;
-    unsigned int        step;
+    /// Of each pair, see State; may be empty.
+    const std::vector<double> &friction_work;
+    double                     time;
+    unsigned int               step;
     /// Results of recovered_pressure() by pair. Copies share them.
     std::shared_ptr<std::map<unsigned int, LA::Vector>> recovered =
       std::make_shared<std::map<unsigned int, LA::Vector>>();

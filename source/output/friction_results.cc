@@ -14,8 +14,6 @@ namespace Signorini
     /// Sums and extreme values over the closed points of a pair.
     struct FrictionSums
     {
-      /// The work of this load step and of all [force*length].
-      double work = 0, total_work = 0;
       /// Largest slip of this load step and since contact [length].
       double slip = 0, total_slip = 0;
       /// Largest slip of points that stick [length].
@@ -27,8 +25,6 @@ namespace Signorini
       void
       reduce_over_ranks(const MPI_Comm comm)
       {
-        for (double *x : {&work, &total_work})
-          *x = Utilities::MPI::sum(*x, comm);
         for (double *x : {&slip, &total_slip, &elastic_slip, &excess, &gained})
           *x = Utilities::MPI::max(*x, comm);
       }
@@ -50,16 +46,13 @@ namespace Signorini
         {
           if (*which++ != pair)
             continue;
-          const double weight = s.contact.weight(i);
-          const double total  = after.empty() ? 0. : double(after[0](i)),
-                       work   = before.empty() ? total : total - before[0](i);
-          sums.total_work += weight * total;
-          sums.work += weight * work;
           if (!is_closed(s.contact_state.status(i)))
             continue;
-          const double size = length_at(t, i, 1);
-          sums.slip         = std::max(sums.slip, length_at(gaps, i, 1));
-          sums.total_slip   = std::max(sums.total_slip, length_at(slip, i, 0));
+          const double total = after.empty() ? 0. : double(after[0](i)),
+                       work  = before.empty() ? total : total - before[0](i);
+          const double size  = length_at(t, i, 1);
+          sums.slip          = std::max(sums.slip, length_at(gaps, i, 1));
+          sums.total_slip    = std::max(sums.total_slip, length_at(slip, i, 0));
           if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
             sums.elastic_slip = std::max(sums.elastic_slip, length_at(gaps, i, 1));
           sums.excess =
@@ -94,6 +87,7 @@ namespace Signorini
   {
     const FrictionSums sums  = friction_sums(s, pair);
     const ContactPatch stick = stick_zone(s, pair);
+    const double       work  = s.friction_work.empty() ? 0. : s.friction_work[pair];
     Json               result{{"friction_force", list(force)},
                 {"stick_area", stick.area},
                 {"slip_area", std::max(0., area - stick.area)},
@@ -104,8 +98,9 @@ namespace Signorini
                 {"max_slip", sums.slip},
                 {"max_slip_since_contact", sums.total_slip},
                 {"max_elastic_slip", sums.elastic_slip},
-                {"friction_work", sums.work},
-                {"total_friction_work", sums.total_work},
+                {"friction_work",
+                               work}, // replaced by the recorder, which knows the load step before
+                {"total_friction_work", work},
                 {"max_friction_excess", sums.excess},
                 {"max_friction_gain", sums.gained}};
     return result;

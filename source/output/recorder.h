@@ -97,8 +97,8 @@ namespace Signorini
     /// @param finite whether strain is finite from now on
     void
     add_deformation(std::optional<double> neglected, bool finite);
-    /// Record by how much halving the load step has changed tangential tractions, if that was
-    /// done. The largest of all load steps is reported.
+    /// Record by how much halving the load step has changed tangential tractions, relative to the
+    /// largest ones, if that was done. The sum of all load steps is reported.
     /// @param time of the load step
     void
     add_path_error(std::optional<double> change, double time);

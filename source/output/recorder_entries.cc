@@ -49,8 +49,9 @@ namespace Signorini
   {
     if (!change)
       return;
-    results["path_error"] = std::max(results.value("path_error", 0.), *change);
-    verdict.add(check_path_error(*change, scene.load_steps.path_error), time);
+    const double sum      = results.value("path_error", 0.) + *change;
+    results["path_error"] = sum;
+    verdict.add(check_path_error(sum, scene.load_steps.path_error), time);
   }
 
 

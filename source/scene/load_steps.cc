@@ -70,9 +70,10 @@ namespace Signorini
     section.add(
       "Path error",
       path_error,
-      "with friction and Number = automatic: a load step is repeated as two of half the "
-      "length, and halved again until that changes tangential tractions by less than this "
-      "fraction",
+      "with friction and Number = automatic: tolerance of the error of tangential tractions due to "
+      "the length of the load steps, relative to the largest ones; each load step is repeated as "
+      "two of half the length, and halved until the changes by that, summed over all load steps, "
+      "are expected to be smaller than this",
       positive);
     for (unsigned int i = 0; i < times.size(); ++i)
       if (times[i] <= (i > 0 ? times[i - 1] : 0))

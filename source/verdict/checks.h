@@ -22,10 +22,10 @@ namespace Signorini
                  double                        largest_force);
 
   /// @return the check of the accuracy of the load path.
-  /// @param change of tangential tractions when the load step was halved, relative
+  /// @param error of tangential tractions, the sum over all load steps so far, relative
   /// @param limit `Load steps/Path error`
   std::vector<CheckResult>
-  check_path_error(double change, double limit);
+  check_path_error(double error, double limit);
 
   /// Extreme values of one body.
   struct Extremes

@@ -100,16 +100,18 @@ namespace Signorini
 
 
   std::vector<CheckResult>
-  check_path_error(const double change, const double limit)
+  check_path_error(const double error, const double limit)
   {
     CheckResult result;
     result.check   = "path error";
-    result.value   = change;
+    result.value   = error;
     result.limit   = limit;
-    result.outcome = change <= limit ? Outcome::passed : Outcome::warned;
+    result.outcome = error <= limit ? Outcome::passed : Outcome::warned;
     result.message =
-      "halving the shortest load step still changes tangential tractions by that fraction";
-    result.advice = "set a larger Load steps/Path error, or more Cut-backs";
+      "halving the load steps changes tangential tractions by that fraction of the largest ones, in "
+      "the sum of all load steps: results may be off by as much";
+    result.advice = "set a smaller Load steps/Path error, and more Cut-backs if load steps are as "
+                    "short as these allow";
     return {result};
   }
 } // namespace Signorini

@@ -70,8 +70,9 @@ namespace
     for (LA::Vector *v : {&pressure, &active})
       v->compress(VectorOperation::insert);
 
-    const LA::Vector    u = scene.elasticity->zero_vector(), gap = contact.zero();
-    const Snapshot<dim> snapshot{*scene.elasticity,
+    const LA::Vector          u = scene.elasticity->zero_vector(), gap = contact.zero();
+    const std::vector<double> no_work;
+    const Snapshot<dim>       snapshot{*scene.elasticity,
                                  scene.decisions.pairs,
                                  scene.contact->surfaces(),
                                  contact,
@@ -80,10 +81,11 @@ namespace
                                  pressure,
                                  active,
                                  state,
+                                 no_work,
                                  1.,
                                  1};
-    const LA::Vector    field   = scene.elasticity->with_ghosts(recovered_pressure(snapshot, 0));
-    double              largest = 0;
+    const LA::Vector field   = scene.elasticity->with_ghosts(recovered_pressure(snapshot, 0));
+    double           largest = 0;
     for (const auto &face : surface.slave_faces)
       for (unsigned int i = 0; i < face.nodes.size(); ++i)
         largest = std::max(largest, std::abs(field(face.nodes[i]) - p(face.positions[i])));

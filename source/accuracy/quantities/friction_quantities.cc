@@ -192,16 +192,13 @@ namespace Signorini
     Functional         result = zero_functional(s);
     if (s.contact.n_components() == 1)
       return result;
-    const PointVectors &work = s.contact_state.internal_at_end.scalars,
-                       &t    = s.contact_state.traction;
-    const PointVectors gaps  = s.contact.gaps(s.displacement);
-    PointVectors       of_slip(gaps.size(), s.contact.zero());
-    double             sum = 0, missed = 0;
+    const PointVectors &t    = s.contact_state.traction;
+    const PointVectors  gaps = s.contact.gaps(s.displacement);
+    PointVectors        of_slip(gaps.size(), s.contact.zero());
+    double              missed = 0;
     for_rows<dim>(s, pair, [&](const auto i) {
       const double weight = s.contact.weight(i);
       missed += weight * length_at(t, i, 1) * missed_slip(s, i);
-      if (!work.empty())
-        sum += weight * work[0](i);
       if (status_of(s.contact_state.status(i)) != ContactStatus::slip)
         return;
       for (unsigned int a = 1; a < gaps.size(); ++a)
@@ -217,7 +214,7 @@ namespace Signorini
         s.contact.free_rows(a).Tvmult_add(result.of_displacement, of_slip[a]);
       }
     const MPI_Comm comm = s.elasticity.mesh().communicator();
-    result.value        = Utilities::MPI::sum(sum, comm);
+    result.value        = s.friction_work.empty() ? 0. : s.friction_work[pair];
     result.unresolved   = share_at_edge(s, pair) * Utilities::MPI::sum(missed, comm);
     return result;
   }
