@@ -123,7 +123,7 @@ namespace Signorini
   bool
   Simulation<dim>::solve_following_turn(const double t, const double tolerance)
   {
-    constexpr double   largest_turn = 0.2;
+    constexpr double   largest_turn = 0.1;
     const double       start = problem.state.time, turn = problem.equilibrium->turn_of_obstacles(t);
     const unsigned int parts = std::max(1., std::ceil(turn / largest_turn - 1e-9));
     if (parts > 1)

@@ -11,17 +11,6 @@ namespace Signorini
 {
   using namespace dealii;
 
-  double
-  length_at(const PointVectors &v, const types::global_dof_index i, const unsigned int first)
-  {
-    double square = 0;
-    for (unsigned int a = first; a < v.size(); ++a)
-      square += v[a](i) * v[a](i);
-    return std::sqrt(square);
-  }
-
-
-
   template <int dim>
   std::vector<LA::Vector>
   in_space(const Snapshot<dim> &s, const PointVectors &tangential)

@@ -8,13 +8,6 @@
 
 namespace Signorini
 {
-  /// @return the length of a vector at a point.
-  /// @param v its components @param i the point
-  /// @param first the number of the first component that counts: 1 for the tangential part of a
-  /// traction
-  double
-  length_at(const PointVectors &v, dealii::types::global_dof_index i, unsigned int first = 0);
-
   /// @return a vector field along the surface in space components, one for each row of the gap
   /// operator. Collective.
   /// @param snapshot the solution, of a law with as many components as the dimension

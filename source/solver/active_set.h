@@ -132,8 +132,8 @@ namespace Signorini
     /// Numbers of points.
     struct Changes
     {
-      unsigned int all      = 0; ///< whose status differs from that of the last step
-      unsigned int openings = 0; ///< those among them that open or close
+      unsigned int all        = 0; ///< whose status differs from that of the last step
+      unsigned int of_contact = 0; ///< those among them that open or close
     };
 
     /// Count the changes since the last step, and add them to those of each point. Collective.

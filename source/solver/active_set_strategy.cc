@@ -152,7 +152,7 @@ namespace Signorini
     const ActiveSet::Changes changes = active_set.count_changes();
     step.active                      = active_set.size();
     step.changes                     = changes.all;
-    step.openings                    = changes.openings;
+    step.contact_changes             = changes.of_contact;
     n_changes += step.changes > 0;
     // End of the penalty continuation, once at most 20 % of the active points change. A stiff
     // penalty reduces a contact area that is too large point by point, a soft one at once; the sign

@@ -169,7 +169,7 @@ namespace Signorini
           }
       }
     const auto size = [](const NewtonStep &s) { return std::max(s.residual, s.gap_residual); };
-    const bool keeps_contact = step.openings == 0 && !step.kept_previous_set &&
+    const bool keeps_contact = step.contact_changes == 0 && !step.kept_previous_set &&
                                !step.restricted_set && !law.has_scaled_penalty();
     // Few points that change between stick and slip are found as well on the next configuration.
     constexpr double few = 0.1;

@@ -16,7 +16,7 @@ namespace Signorini
   {
     /// Number of active points, of changes of the active set, and of those that open or close a
     /// point; iterations of the Krylov method (0: none was needed; 1: exact preconditioner).
-    unsigned int active = 0, changes = 0, openings = 0, krylov_iterations = 0;
+    unsigned int active = 0, changes = 0, contact_changes = 0, krylov_iterations = 0;
     /// Residual of forces and of gaps, relative to the scales of ConvergenceCriteria, before the
     /// step; and the step length of the step before.
     double residual = 0, gap_residual = 0, damping = 1;

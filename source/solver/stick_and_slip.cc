@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of the active set that decides between stick and slip.
-#include "fields/friction_fields.h"
 #include "solver/active_set.h"
 
 #include <algorithm>

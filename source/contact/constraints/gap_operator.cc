@@ -9,6 +9,17 @@ namespace Signorini
 {
   using namespace dealii;
 
+  double
+  length_at(const PointVectors &v, const types::global_dof_index i, const unsigned int first)
+  {
+    double square = 0;
+    for (unsigned int a = first; a < v.size(); ++a)
+      square += v[a](i) * v[a](i);
+    return std::sqrt(square);
+  }
+
+
+
   // A bound that is not linear is a formula of the user: its derivative is a central difference.
   ContactCoefficients::FrictionBound
   ContactCoefficients::friction_bound(const types::global_dof_index point,

@@ -17,6 +17,13 @@ namespace Signorini
   /// the law has any. Also used with one vector for each internal variable of the contact law.
   using PointVectors = std::vector<LA::Vector>;
 
+  /// @return the length of a vector at a point.
+  /// @param v its components @param i the point
+  /// @param first the number of the first component that counts: 1 for the tangential part of a
+  /// traction
+  double
+  length_at(const PointVectors &v, dealii::types::global_dof_index i, unsigned int first = 0);
+
   /// Coefficients of the contact law, one value for each contact point.
   struct ContactCoefficients
   {
