@@ -195,7 +195,8 @@ namespace Signorini
   ActiveSet::stick_where_closing()
   {
     for (const auto i : now.locally_owned_elements())
-      if (is_closed(now(i)) && !is_closed(last(i)) && contact.coefficients.friction(i) > 0)
+      if (status_of(now(i)) == ContactStatus::slip && !is_closed(last(i)) &&
+          contact.coefficients.friction(i) > 0)
         now(i) = static_cast<double>(ContactStatus::stick);
     now.compress(VectorOperation::insert);
   }
