@@ -118,7 +118,7 @@ namespace Signorini
 
 
   // An angle of 0.1 between the directions of slip at the start and at the end of a step changes
-  // its length by less than one percent.
+  // its length by less than 0.2 percent.
   template <int dim>
   bool
   Simulation<dim>::solve_following_turn(const double t, const double tolerance)

@@ -22,7 +22,7 @@ namespace Signorini
                  double                        largest_force);
 
   /// @return the check of the accuracy of the load path.
-  /// @param error of tangential tractions, the sum over all load steps so far, relative
+  /// @param error of tangential tractions or work, the sum over all load steps so far, relative
   /// @param limit `Load steps/Path error`
   std::vector<CheckResult>
   check_path_error(double error, double limit);

@@ -22,8 +22,8 @@ namespace
     return {{t}, work};
   }
 
-  /// Rows of points whose traction grows by `rate` and whose first-order rule errs by the square of
-  /// the length of a step. Returns the error at t = 1 and the sum of what was estimated.
+  /// A traction that grows from zero to one, followed by a rule that errs by the square of the
+  /// length of a step: the error at the end, the sum of the estimates, the number of load steps.
   struct Path
   {
     double       error = 0, estimated = 0;
@@ -71,7 +71,7 @@ TEST_CASE("the error of a monotone path is within the tolerance, and is the sum 
       const Path path = follow(tolerance, 0.5);
       CHECK(path.error <= tolerance);
       CHECK(path.estimated == doctest::Approx(path.error).epsilon(1e-10));
-      // The errors of steps of equal length would be a half of that of one step over their number.
+      // The halves of n equal steps err by 0.25/n in all.
       CHECK(path.n <= 8 + 0.25 / (0.25 * tolerance));
     }
 }
@@ -91,7 +91,7 @@ TEST_CASE("the work decides as well as the tractions")
 {
   PathControl control(1e-2);
   control.set_budget({{1, 1}, {}});
-  // Tractions are exact; the work changes by 2 % of the largest, more than a hundredth of a half.
+  // Tractions are exact; the work changes by 2 % of the largest, more than half of the tolerance.
   CHECK(!control.judge(solution(1, 0), solution(1, 0.98), solution(1, 1)));
   CHECK(control.error() == doctest::Approx(0.02));
   CHECK(control.growth() == 1);
