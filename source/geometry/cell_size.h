@@ -42,8 +42,8 @@ namespace Signorini
   double
   volume_of(const Cell &cell)
   {
-    const dealii::QGauss<dim> rule(2);
-    double                    sum = 0;
+    static const dealii::QGauss<dim> rule(2);
+    double                           sum = 0;
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
         const auto edges = edges_at<Cell, dim>(cell, rule.point(q));
@@ -64,8 +64,8 @@ namespace Signorini
   double
   area_of_face(const Cell &cell, const unsigned int face)
   {
-    const dealii::QGauss<dim - 1> rule(2);
-    double                        sum = 0;
+    static const dealii::QGauss<dim - 1> rule(2);
+    double                               sum = 0;
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
         const auto  edges = edges_at<Cell, dim>(cell, unit_point<dim>(face, rule.point(q)));

@@ -12,25 +12,51 @@ namespace Signorini
 
   namespace
   {
-    /// dst += sum_I N_I force at the nodes of a face. @param dst values by slot, see LoadedPoint
+    /// A vector at a point of a face, and its derivatives with respect to the face parameters.
     template <int dim>
-    void
-    add_force(const FaceShapeFunctions<dim> &functions, const Tensor<1, dim> &force, double *dst)
+    struct ValueAndSlopes
     {
+      Tensor<1, dim>                      value;
+      std::array<Tensor<1, dim>, dim - 1> slopes;
+    };
+
+    /// The displacement at a point. @param u values by slot, see LoadedPoint
+    template <int dim>
+    ValueAndSlopes<dim>
+    evaluate(const FaceShapeFunctions<dim> &functions, const double *u)
+    {
+      ValueAndSlopes<dim> at;
       for (const NodeShapeFunction<dim> &function : functions)
-        for (unsigned int d = 0; d < dim; ++d)
-          dst[function.node + d] += function.value * force[d];
+        {
+          const double *const of_node = u + function.node;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              at.value[d] += function.value * of_node[d];
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                at.slopes[a][d] += function.slopes[a] * of_node[d];
+            }
+        }
+      return at;
     }
 
-    /// The component along a direction of the displacement of one node.
+    /// The transpose of evaluate(). @param force conjugate to the displacement and its derivatives
     template <int dim>
-    double
-    along(const Tensor<1, dim> &direction, const NodeShapeFunction<dim> &function, const double *u)
+    void
+    distribute(const FaceShapeFunctions<dim> &functions,
+               const ValueAndSlopes<dim>     &force,
+               double                        *dst)
     {
-      double result = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        result += direction[d] * u[function.node + d];
-      return result;
+      for (const NodeShapeFunction<dim> &function : functions)
+        {
+          double *const of_node = dst + function.node;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              double sum = function.value * force.value[d];
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                sum += function.slopes[a] * force.slopes[a][d];
+              of_node[d] += sum;
+            }
+        }
     }
   } // namespace
 
@@ -43,10 +69,10 @@ namespace Signorini
   void
   LoadedPoint<dim>::evaluate_rows(const double *u, std::vector<double> &R) const
   {
-    const auto element = [u](const std::size_t slot) { return u[slot]; };
     // Obstacles have no nodes, so that the jump is that of the slave; their motion enters by the
     // rigid rows.
-    const Tensor<1, dim> jump = value_at(slave, element) - value_at(master, element);
+    const ValueAndSlopes<dim> of_S = evaluate(slave, u), of_M = evaluate(master, u);
+    const Tensor<1, dim>      jump = of_S.value - of_M.value;
     R.assign(n_rows(), 0.);
     for (unsigned int i = 0; i < directions.size(); ++i)
       R[i] = directions[i] * jump;
@@ -55,20 +81,12 @@ namespace Signorini
         R[i] += value * u[slot];
     unsigned int next = n_jumps();
     for (const Tensor<1, dim> &direction : of_master)
-      {
-        for (const NodeShapeFunction<dim> &function : master)
-          {
-            const double value = along(direction, function, u);
-            for (unsigned int a = 0; a < dim - 1; ++a)
-              R[next + a] += function.slopes[a] * value;
-          }
-        next += dim - 1;
-      }
+      for (const Tensor<1, dim> &slope : of_M.slopes)
+        R[next++] = direction * slope;
     for (const auto &vectors : of_slave)
       {
-        for (const NodeShapeFunction<dim> &function : slave)
-          for (unsigned int a = 0; a < dim - 1; ++a)
-            R[next] += function.slopes[a] * along(vectors[a], function, u);
+        for (unsigned int a = 0; a < dim - 1; ++a)
+          R[next] += vectors[a] * of_S.slopes[a];
         ++next;
       }
   }
@@ -80,39 +98,25 @@ namespace Signorini
   void
   LoadedPoint<dim>::add_rows(const std::vector<double> &s, double *dst) const
   {
-    Tensor<1, dim> force;
+    ValueAndSlopes<dim> on_S, on_M;
     for (unsigned int i = 0; i < directions.size(); ++i)
-      force += s[i] * directions[i];
-    add_force(slave, force, dst);
-    add_force(master, -force, dst);
+      on_S.value += s[i] * directions[i];
+    on_M.value = -on_S.value;
     for (unsigned int i = 0; i < rigid.size(); ++i)
       for (const auto &[slot, value] : rigid[i])
         dst[slot] += value * s[i];
     unsigned int next = n_jumps();
-    const auto   add  = [dst](const NodeShapeFunction<dim> &function,
-                           const Tensor<1, dim>         &direction,
-                           const double                  factor) {
-      for (unsigned int d = 0; d < dim; ++d)
-        dst[function.node + d] += factor * direction[d];
-    };
     for (const Tensor<1, dim> &direction : of_master)
-      {
-        for (const NodeShapeFunction<dim> &function : master)
-          {
-            double factor = 0;
-            for (unsigned int a = 0; a < dim - 1; ++a)
-              factor += s[next + a] * function.slopes[a];
-            add(function, direction, factor);
-          }
-        next += dim - 1;
-      }
+      for (Tensor<1, dim> &slope : on_M.slopes)
+        slope += s[next++] * direction;
     for (const auto &vectors : of_slave)
       {
-        for (const NodeShapeFunction<dim> &function : slave)
-          for (unsigned int a = 0; a < dim - 1; ++a)
-            add(function, vectors[a], s[next] * function.slopes[a]);
+        for (unsigned int a = 0; a < dim - 1; ++a)
+          on_S.slopes[a] += s[next] * vectors[a];
         ++next;
       }
+    distribute(slave, on_S, dst);
+    distribute(master, on_M, dst);
   }
 
 

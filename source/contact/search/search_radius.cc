@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace Signorini
 {
@@ -116,14 +117,23 @@ namespace Signorini
     const LA::Vector                     ghosted = elasticity.with_ghosts(u);
     std::vector<double>                  largest(elasticity.mesh().end_of_boundary_ids(), 0.);
     std::vector<types::global_dof_index> indices;
+    // The nodes of each face of the elements, which are those of a few degrees.
+    std::map<const FiniteElement<dim> *, std::vector<std::vector<unsigned int>>> nodes_of_elements;
+    const auto nodes_of_faces = [&](const FiniteElement<dim> &fe) -> const auto & {
+      auto &nodes = nodes_of_elements[&fe];
+      for (unsigned int f = nodes.size(); f < GeometryInfo<dim>::faces_per_cell; ++f)
+        nodes.push_back(nodes_of_face(fe.base_element(0), f));
+      return nodes;
+    };
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         {
-          const FiniteElement<dim> &fe = cell->get_fe();
+          const FiniteElement<dim> &fe    = cell->get_fe();
+          const auto               &nodes = nodes_of_faces(fe);
           read_indices<dim>(cell, indices);
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
-              for (const unsigned int i : nodes_of_face(fe.base_element(0), f))
+              for (const unsigned int i : nodes[f])
                 {
                   Tensor<1, dim> displacement;
                   for (unsigned int d = 0; d < dim; ++d)
