@@ -90,10 +90,22 @@ namespace Signorini
     double
     turn_of_loads(double from, double to);
 
+    /// The largest deviation of prescribed displacements and of loads from the straight way from
+    /// their values at one time to those at another, on which they may advance at any speed, but
+    /// not return; relative to their largest values up to the end of the history. Collective.
+    double
+    detour_of_loads(double from, double to);
+
     /// The largest angle by which an obstacle turns between now and a time [radian], if the contact
     /// geometry is the current one; else zero. Collective.
     double
     turn_of_obstacles(double t);
+
+    /// The largest angle by which the two sides of a pair with friction, surfaces of bodies or
+    /// obstacles, have turned relative to each other since a displacement [radian, at most pi], if
+    /// the contact geometry is the current one; else zero. Collective.
+    double
+    relative_turn_since(const LA::Vector &before);
 
     /// Return to a state of this mesh, to solve the load steps after it again. Collective.
     void
@@ -112,6 +124,17 @@ namespace Signorini
     }
 
   private:
+    /// Prescribed displacements [length] and loads [force], by degree of freedom.
+    using Drives = std::array<LA::Vector, 2>;
+    /// Those at a time. Sets largest_loads; leaves the time of the bodies there. Collective.
+    Drives
+    drives_at(double t);
+    /// The largest entry relative to largest_loads.
+    double
+    relative_size(const Drives &drives) const;
+    /// True if the contact geometry is, or may become, the current one.
+    bool
+    may_follow_turns() const;
     /// See solve().
     /// @param start displacement at which the bodies are linearised first, from predicted(); else
     /// that of the state. The contact search starts with the surfaces of the state in any case,

@@ -70,6 +70,7 @@ namespace Signorini
   Simulation<dim>::solve_step(const double t, const double tolerance, const bool may_be_halved)
   {
     my_path_error.reset();
+    my_detour = 0;
     if (!scene.contact.chosen().has_friction)
       return problem.solve(t, tolerance);
     if (!controls_path())
@@ -118,21 +119,36 @@ namespace Signorini
 
 
   // An angle of 0.1 between the directions of slip at the start and at the end of a step changes
-  // its length by less than 0.2 percent.
+  // its length by less than 0.2 percent. How far prescribed obstacles turn is known before, all
+  // else after the load step has been solved; that one is repeated in parts then.
   template <int dim>
   bool
   Simulation<dim>::solve_following_turn(const double t, const double tolerance)
   {
-    constexpr double   largest_turn = 0.1;
-    const double       start = problem.state.time, turn = problem.equilibrium->turn_of_obstacles(t);
-    const unsigned int parts = std::max(1., std::ceil(turn / largest_turn - 1e-9));
-    if (parts > 1)
-      out << "  obstacles turn by " << short_text(turn, 3) << ": " << parts
-          << " parts of the load step follow the direction of slip" << std::endl;
-    for (unsigned int k = 1; k <= parts; ++k)
-      if (!solve_from_touch(k == parts ? t : start + k * (t - start) / parts, tolerance))
-        return false;
-    return true;
+    constexpr double largest_turn = 0.1, close = 1.05;
+    const State      before   = problem.state;
+    const auto       parts_of = [](const double turn) {
+      return static_cast<unsigned int>(std::max(1., std::ceil(turn / largest_turn - 1e-9)));
+    };
+    const auto solve_parts = [&](const unsigned int parts, const double turn) {
+      if (parts > 1)
+        out << "  surfaces turn against each other by " << short_text(turn, 3) << ": " << parts
+            << " parts of the load step follow the direction of slip" << std::endl;
+      for (unsigned int k = 1; k <= parts; ++k)
+        if (!solve_from_touch(k == parts ? t : before.time + k * (t - before.time) / parts,
+                              tolerance))
+          return false;
+      return true;
+    };
+    double             turn  = problem.equilibrium->turn_of_obstacles(t);
+    const unsigned int parts = parts_of(turn);
+    if (!solve_parts(parts, turn))
+      return false;
+    turn = problem.equilibrium->relative_turn_since(before.displacement);
+    if (parts > 1 || turn <= close * largest_turn)
+      return true;
+    problem.equilibrium->return_to(before);
+    return solve_parts(parts_of(turn), turn);
   }
 
 
@@ -178,7 +194,9 @@ namespace Signorini
     constexpr double       small = 1e-3, tiny = 1e-6, close = 1e-3;
     constexpr unsigned int most   = 12;
     const State            before = problem.state;
-    const auto             gaps   = [this] {
+    if (!controls_path())
+      my_detour = std::max(my_detour, problem.equilibrium->detour_of_loads(before.time, t));
+    const auto gaps = [this] {
       const GapOperator &contact = problem.contact->gap_operator();
       return smallest_gaps(problem.decisions.pairs,
                            contact,

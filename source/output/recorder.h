@@ -102,6 +102,10 @@ namespace Signorini
     /// @param time of the load step
     void
     add_path_error(std::optional<double> change, double time);
+    /// Check that the load step follows the loads.
+    /// @param detour see Equilibrium::detour_of_loads(); @param time of the load step
+    void
+    add_detour_of_loads(double detour, double time);
     /// Record the solution on a mesh that will be refined.
     /// @param newton_iterations of this solution
     /// @param multigrid_cycles of this solution

@@ -58,6 +58,15 @@ namespace Signorini
 
   template <int dim>
   void
+  Recorder<dim>::add_detour_of_loads(const double detour, const double time)
+  {
+    verdict.add(check_detour_of_loads(detour), time);
+  }
+
+
+
+  template <int dim>
+  void
   Recorder<dim>::add_cycle(const unsigned int newton_iterations,
                            const unsigned int multigrid_cycles,
                            const Json        &accuracy)
@@ -271,6 +280,7 @@ namespace Signorini
   template void Recorder<dim>::add_contact_geometry(std::optional<double>, bool);                  \
   template void Recorder<dim>::add_deformation(std::optional<double>, bool);                       \
   template void Recorder<dim>::add_path_error(std::optional<double>, double);                      \
+  template void Recorder<dim>::add_detour_of_loads(double, double);                                \
   template void Recorder<dim>::add_cycle(unsigned int, unsigned int, const Json &);                \
   template void Recorder<dim>::add_accuracy(const Json &,                                          \
                                             const ErrorControl &,                                  \

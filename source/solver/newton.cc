@@ -237,7 +237,7 @@ namespace Signorini
     const bool is_searched =
       bodies.is_nonlinear() && !step.restricted_set && !step.kept_previous_set && !comes_back;
     const LawInputs in{stage.gap, stage.stress, state.traction, state.internal};
-    double tolerance = 0.5 * stopping.tolerance * convergence.smallest_reference_force();
+    double          tolerance = 0.5 * stopping.tolerance * convergence.smallest_reference_force();
     // Where mainly points of the interface are wrong before a geometry update, the forces of the
     // bodies need not become more accurate.
     if (stopping.is_partial() && n > 0 && step.gap_residual > step.residual_of_bodies)

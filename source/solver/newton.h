@@ -23,7 +23,7 @@ namespace Signorini
 
     /// Called when the active set does not change and the relative residual is below 1e-3; true:
     /// accept the result.
-    std::function<bool()> is_sufficient;
+    std::function<bool()> is_sufficient = {};
 
     /// True if a result may be accepted before the residual meets the tolerance.
     bool

@@ -27,6 +27,11 @@ namespace Signorini
   std::vector<CheckResult>
   check_path_error(double error, double limit);
 
+  /// @return the check that load steps follow the loads.
+  /// @param detour see Equilibrium::detour_of_loads()
+  std::vector<CheckResult>
+  check_detour_of_loads(double detour);
+
   /// Extreme values of one body.
   struct Extremes
   {

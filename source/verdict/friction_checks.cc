@@ -114,4 +114,22 @@ namespace Signorini
                     "short as these allow";
     return {result};
   }
+
+
+
+  std::vector<CheckResult>
+  check_detour_of_loads(const double detour)
+  {
+    CheckResult result;
+    result.check   = "loads within a load step";
+    result.value   = detour;
+    result.limit   = 0.1;
+    result.outcome = detour <= result.limit ? Outcome::passed : Outcome::warned;
+    result.message =
+      "supports or loads leave the straight way of the load step by that fraction of their largest values, or return "
+      "on it: with friction, what they do there counts, and is left out";
+    result.advice = "let load steps end where directions change (Load steps/Times), take more of "
+                    "them, or set Load steps/Number = automatic";
+    return {result};
+  }
 } // namespace Signorini

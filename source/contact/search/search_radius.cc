@@ -119,7 +119,8 @@ namespace Signorini
     std::vector<types::global_dof_index> indices;
     // The nodes of each face of the elements, which are those of a few degrees.
     std::map<const FiniteElement<dim> *, std::vector<std::vector<unsigned int>>> nodes_of_elements;
-    const auto nodes_of_faces = [&](const FiniteElement<dim> &fe) -> const auto & {
+    const auto nodes_of_faces = [&](const FiniteElement<dim> &fe) -> const auto &
+    {
       auto &nodes = nodes_of_elements[&fe];
       for (unsigned int f = nodes.size(); f < GeometryInfo<dim>::faces_per_cell; ++f)
         nodes.push_back(nodes_of_face(fe.base_element(0), f));
