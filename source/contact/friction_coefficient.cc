@@ -87,9 +87,18 @@ namespace Signorini
 
   template <int dim>
   bool
+  FrictionCoefficient<dim>::depends_on_slip() const
+  {
+    return compiled && compiled->depends_on(dim + 2);
+  }
+
+
+
+  template <int dim>
+  bool
   FrictionCoefficient<dim>::depends_on_points() const
   {
-    bool result = compiled && compiled->depends_on(dim + 2);
+    bool result = depends_on_slip();
     for (unsigned int d = 0; d < dim && compiled; ++d)
       result = result || compiled->depends_on(d);
     return result;

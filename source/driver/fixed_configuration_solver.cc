@@ -3,6 +3,7 @@
 
 #include "base/interruption.h"
 #include "contact/laws/contact_law.h"
+#include "fields/friction_fields.h"
 #include "matrix_free/make_stiffness.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/nonlinear_solid.h"
@@ -145,11 +146,37 @@ namespace Signorini
     if (my_report.converged && scene.contact.chosen().has_friction)
       contact.check_friction(t, my_contact.internal, my_contact.pressure());
     my_contact.internal_at_end = solver->newton.internal(state.displacement, my_contact);
-    ContactState now           = my_contact;
-    now.internal               = now.internal_at_end;
-    state.contact              = to_surface_field(contact.gap_operator(), now, dim);
-    state.volumetric_stress    = elasticity.volumetric_stress().coefficients();
+    if (scene.contact.chosen().has_friction)
+      forget_slip_without_pressure();
+    ContactState now        = my_contact;
+    now.internal            = now.internal_at_end;
+    state.contact           = to_surface_field(contact.gap_operator(), now, dim);
+    state.volumetric_stress = elasticity.volumetric_stress().coefficients();
     clock.stop();
+  }
+
+
+
+  // Surfaces that just touch, with pressures of the size of rounding, have no friction, and count
+  // no slip, as if they were open: rounding must not decide from where it counts.
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::forget_slip_without_pressure()
+  {
+    const double rounding =
+      rounding_of_pressure(elasticity.mesh().size(), contact.gap_operator(), state.displacement);
+    InternalFields       &after  = my_contact.internal_at_end;
+    const InternalFields &before = my_contact.internal;
+    for (const auto i : my_contact.pressure().locally_owned_elements())
+      if (std::abs(my_contact.pressure()(i)) <= rounding)
+        {
+          for (PointVectors &vector : after.vectors)
+            for (LA::Vector &component : vector)
+              component(i) = 0;
+          for (unsigned int k = 0; k < after.scalars.size(); ++k)
+            after.scalars[k](i) = before.scalars.empty() ? 0. : double(before.scalars[k](i));
+        }
+    after.compress();
   }
 
 

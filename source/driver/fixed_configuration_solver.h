@@ -135,6 +135,9 @@ namespace Signorini
     /// Solve once on the present candidates.
     void
     solve_with_candidates(double t, const StoppingCriteria &stopping);
+    /// Points whose pressure is rounding have the internal variables of open ones. Collective.
+    void
+    forget_slip_without_pressure();
     /// Make the solver and what it needs, as far as it does not exist.
     void
     make_solver();

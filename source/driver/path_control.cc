@@ -37,13 +37,18 @@ namespace Signorini
                change = distance(fine, before);
     Size &largest = my_budget.largest, &spent = my_budget.spent;
     largest.tractions               = std::max(largest.tractions, size.tractions);
-    largest.work                    = std::max(largest.work, size.work);
+    largest.work                    = std::max({largest.work, size.work, fine.negligible_work});
     my_error                        = 0;
     my_growth                       = 2;
     const bool traction_is_accurate = judge(
       error.tractions, change.tractions, largest.tractions, spent.tractions, excess.tractions);
-    return judge(error.work, change.work, largest.work, spent.work, excess.work) &&
-           traction_is_accurate;
+    const bool work_is_accurate =
+      judge(error.work, change.work, largest.work, spent.work, excess.work);
+    // A coefficient is that of the slip before the load step, in the whole step as in its halves.
+    const double lag = fine.change_of_friction;
+    if (lag > 0)
+      my_growth = std::min(my_growth, std::max(1., 0.9 * tolerance / lag));
+    return work_is_accurate && traction_is_accurate && lag <= tolerance;
   }
 
 

@@ -23,6 +23,10 @@ namespace Signorini
       /// Tangential tractions at the nodes, by component; empty: zero.
       std::vector<LA::Vector> tractions;
       double                  work = 0; ///< of friction, of all load steps so far
+      /// Work that is none: rounding where all points stick.
+      double negligible_work = 0;
+      /// Largest relative change of the bound of friction by the slip of the load step.
+      double change_of_friction = 0;
     };
 
     /// Sizes of solutions, or of differences of them.

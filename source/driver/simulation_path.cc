@@ -28,9 +28,21 @@ namespace Signorini
   PathControl::Solution
   Simulation<dim>::solution_of_path() const
   {
+    // The share of the work of all normal forces over the largest displacement below which the work
+    // of friction is rounding, or none that matters.
+    constexpr double      none = 1e-6;
     PathControl::Solution result;
     if (problem.state.time > 0)
-      result.tractions = all_tangential_tractions(problem.equilibrium->snapshot(0));
+      {
+        const Snapshot<dim> now = problem.equilibrium->snapshot(0);
+        result.tractions        = tractions_of_path(now);
+        for (unsigned int pair = 0; pair < now.pairs.size(); ++pair)
+          result.change_of_friction =
+            std::max(result.change_of_friction, change_of_friction(now, pair));
+        LA::Vector forces = now.pressure;
+        forces.scale(now.contact.weight);
+        result.negligible_work = none * forces.l1_norm() * now.displacement.linfty_norm();
+      }
     const std::vector<double> &work = problem.state.friction_work;
     result.work                     = std::accumulate(work.begin(), work.end(), 0.);
     return result;
@@ -93,7 +105,7 @@ namespace Signorini
         if (!solve_following_turn(t, tolerance))
           return false;
         coarse = solution_of_path();
-        if (are_negligible(coarse.tractions, problem.equilibrium->snapshot(0)))
+        if (!has_tangential_forces(problem.equilibrium->snapshot(0)))
           return true;
         problem.equilibrium->return_to(before);
       }
@@ -140,14 +152,16 @@ namespace Signorini
           return false;
       return true;
     };
-    double             turn  = problem.equilibrium->turn_of_obstacles(t);
-    const unsigned int parts = parts_of(turn);
+    const double       detour = my_detour;
+    double             turn   = problem.equilibrium->turn_of_obstacles(t);
+    const unsigned int parts  = parts_of(turn);
     if (!solve_parts(parts, turn))
       return false;
     turn = problem.equilibrium->relative_turn_since(before.displacement);
     if (parts > 1 || turn <= close * largest_turn)
       return true;
     problem.equilibrium->return_to(before);
+    my_detour = detour;
     return solve_parts(parts_of(turn), turn);
   }
 
@@ -217,9 +231,8 @@ namespace Signorini
           result = std::min(result, gaps[p]);
       return result;
     };
-    if (const Snapshot<dim> now = problem.equilibrium->snapshot(0);
-        std::isinf(gap_of_new_contact(at_end)) ||
-        are_negligible(all_tangential_tractions(now), now))
+    if (std::isinf(gap_of_new_contact(at_end)) ||
+        !has_tangential_forces(problem.equilibrium->snapshot(0)))
       return true;
 
     // An infinite gap is one beyond the reach of the search.

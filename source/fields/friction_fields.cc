@@ -102,13 +102,95 @@ namespace Signorini
 
   template <int dim>
   std::vector<LA::Vector>
-  all_tangential_tractions(const Snapshot<dim> &snapshot)
+  tractions_of_path(const Snapshot<dim> &snapshot)
   {
     std::vector<LA::Vector> result;
+    if (snapshot.contact.n_components() == 1)
+      return result;
+    LA::Vector counts = snapshot.contact.zero();
+    auto       which  = snapshot.contact.origin.pair.begin();
+    for (const auto i : counts.locally_owned_elements())
+      counts(i) = !snapshot.pairs[*which++].friction.depends_on_slip() ||
+                  status_of(snapshot.contact_state.status(i)) != ContactStatus::slip;
+    counts.compress(VectorOperation::insert);
+    PointVectors t(snapshot.contact_state.traction.begin() + 1,
+                   snapshot.contact_state.traction.end());
+    for (LA::Vector &component : t)
+      component.scale(counts);
+    const std::vector<LA::Vector> components = in_space(snapshot, t);
     for (unsigned int pair = 0; pair < snapshot.pairs.size(); ++pair)
-      for (const LA::Vector &component : tangential_traction(snapshot, pair))
-        result.push_back(component);
+      for (const LA::Vector &component : components)
+        result.push_back(recovered_density(snapshot, pair, component, false));
     return result;
+  }
+
+
+
+  // Where the coefficient after the slip is no number, none is left.
+  template <int dim>
+  LA::Vector
+  ratio_of_friction(const Snapshot<dim> &s)
+  {
+    LA::Vector result = s.contact.zero();
+    result            = 1.;
+    const auto &path  = s.contact_state.internal_at_end.scalars;
+    if (path.size() < 2 ||
+        std::none_of(s.pairs.begin(), s.pairs.end(), [](const ContactPair<dim> &pair) {
+          return pair.friction.depends_on_slip();
+        }))
+      return result;
+    auto which = s.contact.origin.pair.begin();
+    for (const auto i : s.pressure.locally_owned_elements())
+      {
+        const ContactPair<dim> &pair = s.pairs[*which++];
+        if (!pair.friction.depends_on_slip() ||
+            status_of(s.contact_state.status(i)) != ContactStatus::slip)
+          continue;
+        const double pressure = s.contact_state.traction[0](i),
+                     before   = s.contact.coefficients.friction_bound(i, pressure).value;
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = s.contact.geometry.position[d](i);
+        const double after = pair.friction.bound(x, s.time, pressure, path[1](i));
+        if (before > 0)
+          result(i) = std::isfinite(after) ? after / before : 0.;
+      }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  change_of_friction(const Snapshot<dim> &s, const unsigned int pair)
+  {
+    const LA::Vector      ratio = ratio_of_friction(s);
+    std::array<double, 2> sums{{0, 0}}; // of the bound, and of its changes
+    auto                  which = s.contact.origin.pair.begin();
+    for (const auto i : s.pressure.locally_owned_elements())
+      if (*which++ == pair && is_closed(s.contact_state.status(i)))
+        {
+          const double bound =
+            s.contact.weight(i) *
+            s.contact.coefficients.friction_bound(i, s.contact_state.traction[0](i)).value;
+          sums[0] += bound;
+          sums[1] += std::abs(ratio(i) - 1) * bound;
+        }
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    for (double &sum : sums)
+      sum = Utilities::MPI::sum(sum, comm);
+    return sums[0] > 0 ? sums[1] / sums[0] : 0.;
+  }
+
+
+
+  // Gaps are differences of positions and displacements.
+  double
+  rounding_of_pressure(const double size, const GapOperator &contact, const LA::Vector &u)
+  {
+    constexpr double epsilon = 1e-14;
+    return epsilon * contact.coefficients.stiffness.linfty_norm() * (size + u.linfty_norm());
   }
 
 
@@ -136,15 +218,17 @@ namespace Signorini
 
   template <int dim>
   bool
-  are_negligible(const std::vector<LA::Vector> &tractions, const Snapshot<dim> &snapshot)
+  has_tangential_forces(const Snapshot<dim> &s)
   {
     constexpr double none       = 1e-6;
     double           tangential = 0, normal = 0;
-    for (const LA::Vector &component : tractions)
-      tangential += component.l1_norm();
-    for (unsigned int pair = 0; pair < snapshot.pairs.size(); ++pair)
-      normal += recovered_pressure(snapshot, pair).l1_norm();
-    return tangential <= none * normal;
+    for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
+      {
+        for (const LA::Vector &component : tangential_traction(s, pair))
+          tangential += component.l1_norm();
+        normal += recovered_pressure(s, pair).l1_norm();
+      }
+    return tangential > none * normal;
   }
 
 
@@ -155,10 +239,12 @@ namespace Signorini
   template std::vector<LA::Vector> slip_since_contact(const Snapshot<dim> &, unsigned int);        \
   template PointVectors            slip_at_points(const Snapshot<dim> &);                          \
   template ContactPatch            stick_zone(const Snapshot<dim> &, unsigned int);                \
-  template std::vector<LA::Vector> all_tangential_tractions(const Snapshot<dim> &);                \
+  template LA::Vector              ratio_of_friction(const Snapshot<dim> &);                       \
+  template double                  change_of_friction(const Snapshot<dim> &, unsigned int);        \
+  template std::vector<LA::Vector> tractions_of_path(const Snapshot<dim> &);                       \
   template std::vector<double>     work_of_friction(const Snapshot<dim> &,                         \
                                                     const std::vector<double> &);                  \
-  template bool are_negligible(const std::vector<LA::Vector> &, const Snapshot<dim> &);
+  template bool                    has_tangential_forces(const Snapshot<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

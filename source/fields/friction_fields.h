@@ -53,12 +53,36 @@ namespace Signorini
   ContactPatch
   stick_zone(const Snapshot<dim> &snapshot, unsigned int pair);
 
-  /// @return the tangential tractions of all pairs at the nodes, component by component.
-  /// Collective.
+  /// @return at slipping points the ratio of the bound of friction after the slip of the load step
+  /// to that before it, with which the step was solved; one elsewhere. It differs from one where
+  /// the coefficient depends on the slip.
+  /// @param snapshot the solution
+  template <int dim>
+  LA::Vector
+  ratio_of_friction(const Snapshot<dim> &snapshot);
+
+  /// @return the change of the bound of friction of a pair by the slip of the load step, the sum
+  /// over its points relative to that of the bound. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  template <int dim>
+  double
+  change_of_friction(const Snapshot<dim> &snapshot, unsigned int pair);
+
+  /// @return a bound of the rounding of pressures [force/area]. Collective.
+  /// @param size of the model [length]
+  /// @param contact the gap operator
+  /// @param u displacement
+  double
+  rounding_of_pressure(double size, const GapOperator &contact, const LA::Vector &u);
+
+  /// @return the tangential tractions of all pairs at the nodes, component by component, but zero
+  /// where points slip with a coefficient that depends on the slip: these are as accurate as the
+  /// coefficient, see change_of_friction(), in any number of load steps. Collective.
   /// @param snapshot the solution
   template <int dim>
   std::vector<LA::Vector>
-  all_tangential_tractions(const Snapshot<dim> &snapshot);
+  tractions_of_path(const Snapshot<dim> &snapshot);
 
   /// @return the work that friction has taken from the bodies by the end of the load step, of each
   /// pair [force*length]. Collective.
@@ -68,11 +92,10 @@ namespace Signorini
   std::vector<double>
   work_of_friction(const Snapshot<dim> &s, const std::vector<double> &before);
 
-  /// @return whether tangential tractions are negligible beside the pressure, so that the solution
-  /// does not depend on the path. Collective.
-  /// @param tractions of the solution
+  /// @return whether tangential tractions are not negligible beside the pressure: only then does
+  /// the solution depend on the path. Collective.
   /// @param snapshot the solution
   template <int dim>
   bool
-  are_negligible(const std::vector<LA::Vector> &tractions, const Snapshot<dim> &snapshot);
+  has_tangential_forces(const Snapshot<dim> &snapshot);
 } // namespace Signorini

@@ -41,7 +41,9 @@ namespace Signorini
       const PointVectors &t      = s.contact_state.traction;
       const PointVectors &before = s.contact_state.internal.scalars,
                          &after  = s.contact_state.internal_at_end.scalars;
-      auto which                 = s.contact.origin.pair.begin();
+      const double rounding =
+        rounding_of_pressure(s.elasticity.mesh().size(), s.contact, s.displacement);
+      auto which = s.contact.origin.pair.begin();
       for (const auto i : s.pressure.locally_owned_elements())
         {
           if (*which++ != pair)
@@ -55,8 +57,9 @@ namespace Signorini
           sums.total_slip    = std::max(sums.total_slip, length_at(slip, i, 0));
           if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
             sums.elastic_slip = std::max(sums.elastic_slip, length_at(gaps, i, 1));
-          sums.excess =
-            std::max(sums.excess, size - s.contact.coefficients.friction_bound(i, t[0](i)).value);
+          if (size > rounding)
+            sums.excess =
+              std::max(sums.excess, size - s.contact.coefficients.friction_bound(i, t[0](i)).value);
           sums.gained = std::max(sums.gained, -work);
         }
       sums.reduce_over_ranks(s.elasticity.mesh().communicator());
@@ -102,6 +105,7 @@ namespace Signorini
                                work}, // replaced by the recorder, which knows the load step before
                 {"total_friction_work", work},
                 {"max_friction_excess", sums.excess},
+                {"friction_change", change_of_friction(s, pair)},
                 {"max_friction_gain", sums.gained}};
     return result;
   }

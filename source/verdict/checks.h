@@ -41,6 +41,8 @@ namespace Signorini
     double gradient = 0;
     /// Largest rotation there [radian].
     double largest_rotation = 0;
+    /// Largest norm of the strain, the symmetric part of the gradient, there.
+    double strain = 0;
   };
 
   /// @return the extreme values of each body. Collective.

@@ -85,6 +85,25 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// Check that the coefficient hardly changes by the slip of the load step, before which it is
+    /// taken.
+    CheckResult
+    check_change_of_friction(const std::string &name, const nlohmann::ordered_json &results)
+    {
+      return make_check_result(
+        "friction coefficient within a load step",
+        name,
+        results["friction_change"],
+        0.05,
+        "the slip of the load step changes the friction coefficient by that fraction, but the one before the slip acts",
+        "take more load steps, or set Load steps/Number = automatic");
+    }
+  } // namespace
+
+
+
   std::vector<CheckResult>
   check_friction(const std::string            &name,
                  const nlohmann::ordered_json &results,
@@ -94,6 +113,7 @@ namespace Signorini
   {
     return {check_cone(name, results, extent.active),
             check_dissipation(name, results, extent.active, face_size),
+            check_change_of_friction(name, results),
             check_path(name, results, extent, step)};
   }
 

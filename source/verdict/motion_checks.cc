@@ -47,6 +47,8 @@ namespace Signorini
           const Tensor<2, dim> rotation = (gradient[0] - transpose(gradient[0])) / 2;
           of_body.largest_rotation =
             std::max(of_body.largest_rotation, rotation.norm() / std::sqrt(2));
+          of_body.strain =
+            std::max(of_body.strain, std::sqrt(std::max(0., square - rotation.norm_square())));
         }
     const MPI_Comm comm = elasticity.mesh().communicator();
     for (Extremes &of_body : largest)
@@ -54,6 +56,7 @@ namespace Signorini
         of_body.motion           = Utilities::MPI::max(of_body.motion, comm);
         of_body.gradient         = Utilities::MPI::max(of_body.gradient, comm);
         of_body.largest_rotation = Utilities::MPI::max(of_body.largest_rotation, comm);
+        of_body.strain           = Utilities::MPI::max(of_body.strain, comm);
       }
     return largest;
   }
@@ -116,7 +119,29 @@ namespace Signorini
       " degrees, are not small: small-strain theory neglects terms of half that size, relative to the strains";
     strain.advice =
       "set Deformation = automatic or finite, or accept forces and pressures with that error";
-    return {motion, strain};
+    if (now.contact.at_rest())
+      return {motion, strain};
+
+    // A rotation by the angle a turns lengths into 1 + a^2/2, or shortens them as much if supports
+    // prescribe it exactly.
+    CheckResult rotation;
+    rotation.check = "rotation / strain";
+    rotation.limit = 0.2;
+    for (unsigned int body = 0; body < largest.size(); ++body)
+      if (const Extremes &one = largest[body]; one.strain > 0)
+        if (const double swelling = std::pow(one.largest_rotation, 2) / 2;
+            swelling / one.strain > rotation.value)
+          {
+            rotation.value   = swelling / one.strain;
+            rotation.message = now.elasticity.mesh().body_name(body);
+          }
+    rotation.outcome = rotation.value > rotation.limit ? Outcome::warned : Outcome::passed;
+    rotation.message =
+      "small-strain theory changes lengths of '" + rotation.message +
+      "' by half of the square of its rotation, that much relative to its strains: where the contact geometry is "
+      "updated, gaps and pressures contain it";
+    rotation.advice = "set Deformation = finite, or Contact method/Contact geometry = reference";
+    return {motion, strain, rotation};
   }
 
 

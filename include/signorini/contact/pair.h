@@ -46,6 +46,10 @@ namespace Signorini
     bool
     is_nonlinear() const;
 
+    /// True if the coefficient depends on the slip before the load step.
+    bool
+    depends_on_slip() const;
+
     /// True if the coefficient belongs to the material points of the slave: by their place, or by
     /// the slip that they have behind them.
     bool

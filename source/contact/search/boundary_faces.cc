@@ -46,6 +46,7 @@ namespace Signorini
             {
               faces.emplace_back(cell, f);
               rest.push_back(patch_of(cell, f));
+              rest.back().piece = elasticity.mesh().piece(cell);
               patches.push_back(configuration.moved(rest.back(), cell, f));
               if (configuration.start())
                 start.push_back(configuration.start()->moved(rest.back(), cell, f));

@@ -93,8 +93,13 @@ namespace Signorini
     {
       ar &degree;
       serialize_bytes(ar, nodes);
-      ar &outward &bounds &size &largest_curvature;
+      ar &outward &bounds &size &largest_curvature &piece;
     }
+
+    /// Number of the connected piece of the mesh that the face belongs to, see Mesh::piece(); set
+    /// for faces in the reference configuration. Faces of two pieces are no neighbours, however
+    /// near they are.
+    unsigned int piece = 0;
 
   private:
     /// Compute size, bounding box and bound of the second derivatives from the nodes.

@@ -110,7 +110,8 @@ namespace Signorini
     constexpr double     inward = 0.3;
     const Tensor<1, dim> way    = b.x - a.x;
     const double         length = way.norm();
-    return length <= 2 * width || way * (b.normal - a.normal) > 2 * inward * length;
+    return a.piece == b.piece &&
+           (length <= 2 * width || way * (b.normal - a.normal) > 2 * inward * length);
   }
 
 

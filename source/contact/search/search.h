@@ -56,12 +56,13 @@ namespace Signorini
   struct ReferencePoint
   {
     dealii::Point<dim>     x;
-    dealii::Tensor<1, dim> normal; ///< outward
+    dealii::Tensor<1, dim> normal;    ///< outward
+    unsigned int           piece = 0; ///< see FacePatch::piece
   };
 
-  /// True if two points of the same surface cannot touch each other: they are neighbours, or lie on
-  /// two sides of the body with nothing but the body itself between them in the reference
-  /// configuration.
+  /// True if two points of the same surface cannot touch each other: they belong to the same
+  /// connected piece of the mesh, and are neighbours, or lie on two sides of it with nothing but
+  /// the body itself between them in the reference configuration.
   /// @param width of the faces there [length]
   template <int dim>
   bool

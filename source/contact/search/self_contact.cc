@@ -196,7 +196,7 @@ namespace Signorini
   ReferencePoint<dim>
   reference_point(const FacePatch<dim> &rest, const Point<dim - 1> &xi)
   {
-    return {rest.position(xi), rest.normal(xi)};
+    return {rest.position(xi), rest.normal(xi), rest.piece};
   }
 
 
