@@ -40,7 +40,7 @@ namespace Signorini
 
 
 
-  // Times, if given, replace End time and Number.
+  // Times, if given, replace End time and a number.
   void
   LoadSteps::declare(Section &section)
   {
@@ -58,9 +58,11 @@ namespace Signorini
       "steps, and as many as the Path error asks for");
     if (section.reading())
       read_number(section, steps);
-    section.add("Times",
-                times,
-                "end times of the load steps, increasing, instead of End time and Number");
+    section.add(
+      "Times",
+      times,
+      "end times of the load steps, increasing, instead of End time and Number; with Number = "
+      "automatic more load steps are taken between them");
     section.add(
       "Cut-backs",
       cut_backs,
@@ -80,9 +82,8 @@ namespace Signorini
         section.fail("Times", "must be positive and increasing");
     if (section.reading() && !times.empty())
       {
-        end_time     = times.back();
-        number       = times.size();
-        is_automatic = false;
+        end_time = times.back();
+        number   = times.size();
       }
   }
 

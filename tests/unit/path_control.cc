@@ -104,6 +104,32 @@ TEST_CASE("the work decides as well as the tractions")
 
 
 
+TEST_CASE("work that is rounding does not decide")
+{
+  PathControl           control(1e-2);
+  PathControl::Solution coarse = solution(1, 1e-12), fine = solution(1, 3e-12);
+  CHECK(!control.judge(solution(0), coarse, fine));
+  fine.negligible_work = 1e-6;
+  CHECK(control.judge(solution(0), coarse, fine));
+  CHECK(control.error() <= 1e-5);
+}
+
+
+
+TEST_CASE("a coefficient that the slip of the halves changes makes load steps shorter")
+{
+  PathControl           control(1e-2);
+  PathControl::Solution fine = solution(1);
+  fine.change_of_friction    = 0.02;
+  CHECK(!control.judge(solution(0), solution(1), fine));
+  CHECK(control.growth() == 1);
+  fine.change_of_friction = 0.006;
+  CHECK(control.judge(solution(0), solution(1), fine));
+  CHECK(control.growth() == doctest::Approx(1.5));
+}
+
+
+
 TEST_CASE("small errors at the start of a history are small beside its largest tractions")
 {
   PathControl control(1e-2);

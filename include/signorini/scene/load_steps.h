@@ -16,7 +16,7 @@ namespace Signorini
     unsigned int number   = 1;
     /// As many steps of any length as are needed.
     bool is_automatic = false;
-    /// Ends of the steps; empty: equal steps.
+    /// Ends of steps, of all of them unless these are automatic; empty: equal steps.
     std::vector<double> times;
     /// Times at which supports change, where steps end as well.
     std::vector<double> changes;
@@ -25,8 +25,8 @@ namespace Signorini
     /// than this fraction.
     double path_error = 1e-2;
 
-    /// @return the ends of all prescribed steps, increasing; for automatic ones the last end, and
-    /// the changes.
+    /// @return the ends of all prescribed steps, increasing; for automatic ones the times, or the
+    /// last end, and the changes.
     std::vector<double>
     ends() const;
 
