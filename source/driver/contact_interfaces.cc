@@ -296,16 +296,13 @@ namespace Signorini
     const auto position = [this](const auto i) { return position_of(i); };
     const auto slip     = [internal](const auto i) { return slip_path(internal, i); };
     std::map<types::global_dof_index, unsigned int> pair_of; // if the bound is nonlinear
-    auto                                            pair = contact->origin.pair.begin();
-    for (const auto i : coefficients.friction.locally_owned_elements())
-      {
-        const FrictionCoefficient<dim> &friction = decisions.pairs[*pair].friction;
-        if (is_nonlinear)
-          pair_of[i] = *pair;
-        coefficients.friction(i) =
-          is_nonlinear && !friction.is_zero() ? 1. : friction.value(position(i), t, 0., slip(i));
-        ++pair;
-      }
+    contact->for_each_point([&](const auto i, const unsigned int pair) {
+      const FrictionCoefficient<dim> &friction = decisions.pairs[pair].friction;
+      if (is_nonlinear)
+        pair_of[i] = pair;
+      coefficients.friction(i) =
+        is_nonlinear && !friction.is_zero() ? 1. : friction.value(position(i), t, 0., slip(i));
+    });
     coefficients.friction.compress(VectorOperation::insert);
     coefficients.bound_of = nullptr;
     if (is_nonlinear)
@@ -334,15 +331,12 @@ namespace Signorini
                                          const InternalFields &internal,
                                          const LA::Vector     &pressure) const
   {
-    auto         pair  = contact->origin.pair.begin();
     unsigned int wrong = 0; // one more than the number of a pair
-    for (const auto i : pressure.locally_owned_elements())
-      {
-        if (!std::isfinite(decisions.pairs[*pair].friction.value(
-              position_of(i), t, std::max(0., double(pressure(i))), slip_path(internal, i))))
-          wrong = *pair + 1;
-        ++pair;
-      }
+    contact->for_each_point([&](const auto i, const unsigned int pair) {
+      if (!std::isfinite(decisions.pairs[pair].friction.value(
+            position_of(i), t, std::max(0., double(pressure(i))), slip_path(internal, i))))
+        wrong = pair + 1;
+    });
     wrong = Utilities::MPI::max(wrong, elasticity.mesh().communicator());
     if (wrong > 0)
       throw SceneError("Contact pairs/" + decisions.pairs[wrong - 1].name +

@@ -182,12 +182,9 @@ namespace Signorini
       std::vector<double> result;
       for (const ContactPair<dim> &pair : pairs)
         result.push_back(pair.friction.is_zero() ? 0. : std::numeric_limits<double>::infinity());
-      auto pair = contact.origin.pair.begin();
-      for (const auto i : gap.locally_owned_elements())
-        {
-          double &least = result[*pair++];
-          least         = std::min(least, double(gap(i)));
-        }
+      contact.for_each_point([&](const auto i, const unsigned int pair) {
+        result[pair] = std::min(result[pair], double(gap(i)));
+      });
       for (double &least : result)
         least = Utilities::MPI::min(least, gap.get_mpi_communicator());
       return result;

@@ -26,8 +26,8 @@ namespace Signorini
                         const LA::Vector                   &from,
                         const LA::Vector                   &to)
     {
-      // The number of points, their sums at both displacements, and the sums of the products of
-      // the coordinates relative to the first point of this rank, which keeps digits.
+      // The number of points, the sums of their positions at both displacements, and of the
+      // products of these, relative to the center of the model, which keeps digits.
       constexpr unsigned int n_sums = 1 + 2 * dim + dim * dim;
       std::vector<double>    sums(n_sums, 0.);
       const Point<dim>       origin = elasticity.mesh().extent().center();

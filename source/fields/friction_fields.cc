@@ -108,10 +108,10 @@ namespace Signorini
     if (snapshot.contact.n_components() == 1)
       return result;
     LA::Vector counts = snapshot.contact.zero();
-    auto       which  = snapshot.contact.origin.pair.begin();
-    for (const auto i : counts.locally_owned_elements())
-      counts(i) = !snapshot.pairs[*which++].friction.depends_on_slip() ||
+    snapshot.contact.for_each_point([&](const auto i, const unsigned int pair) {
+      counts(i) = !snapshot.pairs[pair].friction.depends_on_slip() ||
                   status_of(snapshot.contact_state.status(i)) != ContactStatus::slip;
+    });
     counts.compress(VectorOperation::insert);
     PointVectors t(snapshot.contact_state.traction.begin() + 1,
                    snapshot.contact_state.traction.end());
@@ -139,22 +139,20 @@ namespace Signorini
           return pair.friction.depends_on_slip();
         }))
       return result;
-    auto which = s.contact.origin.pair.begin();
-    for (const auto i : s.pressure.locally_owned_elements())
-      {
-        const ContactPair<dim> &pair = s.pairs[*which++];
-        if (!pair.friction.depends_on_slip() ||
-            status_of(s.contact_state.status(i)) != ContactStatus::slip)
-          continue;
-        const double pressure = s.contact_state.traction[0](i),
-                     before   = s.contact.coefficients.friction_bound(i, pressure).value;
-        Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = s.contact.geometry.position[d](i);
-        const double after = pair.friction.bound(x, s.time, pressure, path[1](i));
-        if (before > 0)
-          result(i) = std::isfinite(after) ? after / before : 0.;
-      }
+    s.contact.for_each_point([&](const auto i, const unsigned int pair) {
+      const FrictionCoefficient<dim> &friction = s.pairs[pair].friction;
+      if (!friction.depends_on_slip() ||
+          status_of(s.contact_state.status(i)) != ContactStatus::slip)
+        return;
+      const double pressure = s.contact_state.traction[0](i),
+                   before   = s.contact.coefficients.friction_bound(i, pressure).value;
+      Point<dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = s.contact.geometry.position[d](i);
+      const double after = friction.bound(x, s.time, pressure, path[1](i));
+      if (before > 0)
+        result(i) = std::isfinite(after) ? after / before : 0.;
+    });
     result.compress(VectorOperation::insert);
     return result;
   }
@@ -167,16 +165,15 @@ namespace Signorini
   {
     const LA::Vector      ratio = ratio_of_friction(s);
     std::array<double, 2> sums{{0, 0}}; // of the bound, and of its changes
-    auto                  which = s.contact.origin.pair.begin();
-    for (const auto i : s.pressure.locally_owned_elements())
-      if (*which++ == pair && is_closed(s.contact_state.status(i)))
-        {
-          const double bound =
-            s.contact.weight(i) *
-            s.contact.coefficients.friction_bound(i, s.contact_state.traction[0](i)).value;
-          sums[0] += bound;
-          sums[1] += std::abs(ratio(i) - 1) * bound;
-        }
+    s.contact.for_each_point([&](const auto i, const unsigned int of_point) {
+      if (of_point != pair || !is_closed(s.contact_state.status(i)))
+        return;
+      const double bound =
+        s.contact.weight(i) *
+        s.contact.coefficients.friction_bound(i, s.contact_state.traction[0](i)).value;
+      sums[0] += bound;
+      sums[1] += std::abs(ratio(i) - 1) * bound;
+    });
     const MPI_Comm comm = s.elasticity.mesh().communicator();
     for (double &sum : sums)
       sum = Utilities::MPI::sum(sum, comm);
@@ -204,10 +201,11 @@ namespace Signorini
     std::vector<double> result(s.pairs.size(), 0.);
     const PointVectors &first = s.contact_state.internal.scalars,
                        &last  = s.contact_state.internal_at_end.scalars;
-    auto pair                 = s.contact.origin.pair.begin();
-    for (const auto i : s.pressure.locally_owned_elements())
-      if (double &sum = result[*pair++]; !last.empty())
-        sum += s.contact.weight(i) * (last[0](i) - (first.empty() ? 0. : double(first[0](i))));
+    if (!last.empty())
+      s.contact.for_each_point([&](const auto i, const unsigned int pair) {
+        result[pair] +=
+          s.contact.weight(i) * (last[0](i) - (first.empty() ? 0. : double(first[0](i))));
+      });
     Utilities::MPI::sum(result, s.elasticity.mesh().communicator(), result);
     for (unsigned int p = 0; p < before.size(); ++p)
       result[p] += before[p];

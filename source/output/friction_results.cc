@@ -43,25 +43,21 @@ namespace Signorini
                          &after  = s.contact_state.internal_at_end.scalars;
       const double rounding =
         rounding_of_pressure(s.elasticity.mesh().size(), s.contact, s.displacement);
-      auto which = s.contact.origin.pair.begin();
-      for (const auto i : s.pressure.locally_owned_elements())
-        {
-          if (*which++ != pair)
-            continue;
-          if (!is_closed(s.contact_state.status(i)))
-            continue;
-          const double total = after.empty() ? 0. : double(after[0](i)),
-                       work  = before.empty() ? total : total - before[0](i);
-          const double size  = length_at(t, i, 1);
-          sums.slip          = std::max(sums.slip, length_at(gaps, i, 1));
-          sums.total_slip    = std::max(sums.total_slip, length_at(slip, i, 0));
-          if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
-            sums.elastic_slip = std::max(sums.elastic_slip, length_at(gaps, i, 1));
-          if (size > rounding)
-            sums.excess =
-              std::max(sums.excess, size - s.contact.coefficients.friction_bound(i, t[0](i)).value);
-          sums.gained = std::max(sums.gained, -work);
-        }
+      s.contact.for_each_point([&](const auto i, const unsigned int of_point) {
+        if (of_point != pair || !is_closed(s.contact_state.status(i)))
+          return;
+        const double total = after.empty() ? 0. : double(after[0](i)),
+                     work  = before.empty() ? total : total - before[0](i);
+        const double size  = length_at(t, i, 1);
+        sums.slip          = std::max(sums.slip, length_at(gaps, i, 1));
+        sums.total_slip    = std::max(sums.total_slip, length_at(slip, i, 0));
+        if (status_of(s.contact_state.status(i)) == ContactStatus::stick)
+          sums.elastic_slip = std::max(sums.elastic_slip, length_at(gaps, i, 1));
+        if (size > rounding)
+          sums.excess =
+            std::max(sums.excess, size - s.contact.coefficients.friction_bound(i, t[0](i)).value);
+        sums.gained = std::max(sums.gained, -work);
+      });
       sums.reduce_over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }

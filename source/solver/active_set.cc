@@ -149,12 +149,7 @@ namespace Signorini
     std::vector<double>    deepest(n, 0.);
     // Share of the deepest penetration from which on points count, by pair.
     std::vector<double> share(n, 0.5);
-    const auto          visit = [&](const auto &action) {
-      auto pair = contact.origin.pair.begin();
-      for (const auto i : gap.locally_owned_elements())
-        action(i, *pair++);
-    };
-    visit([&](const auto i, const unsigned int pair) {
+    contact.for_each_point([&](const auto i, const unsigned int pair) {
       deepest[pair] = std::min(deepest[pair], gap(i));
     });
     Utilities::MPI::min(deepest, comm, deepest);
@@ -169,7 +164,7 @@ namespace Signorini
     for (unsigned int trial = 0; step_by_step && trial < most_trials; ++trial)
       {
         std::vector<unsigned int> counts(2 * n, 0); // before and now
-        visit([&](const auto i, const unsigned int pair) {
+        contact.for_each_point([&](const auto i, const unsigned int pair) {
           counts[pair] += is_closed(last(i));
           counts[n + pair] += is_closed(now(i)) && stays(i, pair);
         });
@@ -184,7 +179,7 @@ namespace Signorini
         if (!is_too_large)
           break;
       }
-    visit([&](const auto i, const unsigned int pair) {
+    contact.for_each_point([&](const auto i, const unsigned int pair) {
       if (!stays(i, pair))
         now(i) = 0;
     });
@@ -215,14 +210,13 @@ namespace Signorini
       return is_closed(now(i)) && (sums(i) >= 0 || contact.coefficients.bilateral(i) > 0);
     };
     std::vector<unsigned int> left(contact.n_pairs(), 0);
-    auto                      pair = contact.origin.pair.begin();
-    for (const auto i : now.locally_owned_elements())
-      left[*pair++] += is_left(i);
+    contact.for_each_point(
+      [&](const auto i, const unsigned int pair) { left[pair] += is_left(i); });
     Utilities::MPI::sum(left, now.get_mpi_communicator(), left);
-    pair = contact.origin.pair.begin();
-    for (const auto i : now.locally_owned_elements())
-      if (left[*pair++] > 0 && !is_left(i))
+    contact.for_each_point([&](const auto i, const unsigned int pair) {
+      if (left[pair] > 0 && !is_left(i))
         now(i) = 0;
+    });
     now.compress(VectorOperation::insert);
   }
 

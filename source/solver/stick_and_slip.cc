@@ -125,13 +125,10 @@ namespace Signorini
     std::vector<double> sum(n_pairs, 0.), n(n_pairs, 0.),
       least(n_pairs, std::numeric_limits<double>::max());
     const auto for_slipping_points = [&](const auto &act) {
-      auto pair = contact.origin.pair.begin();
-      for (const auto i : now.locally_owned_elements())
-        {
-          const unsigned int p = *pair++;
-          if (load.slips(i))
-            act(i, p);
-        }
+      contact.for_each_point([&](const auto i, const unsigned int pair) {
+        if (load.slips(i))
+          act(i, pair);
+      });
     };
     for_slipping_points([&](const auto i, const unsigned int p) {
       sum[p] += load(i);
@@ -167,14 +164,11 @@ namespace Signorini
     };
     const auto load         = [&](const auto i) { return length_at(trial, i, 1) / bound(i); };
     const auto for_releases = [&](const auto &act) {
-      auto pair = contact.origin.pair.begin();
-      for (const auto i : now.locally_owned_elements())
-        {
-          const unsigned int p = *pair++;
-          if (status_of(now(i)) == ContactStatus::slip &&
-              status_of(last(i)) == ContactStatus::stick && bound(i) > 0)
-            act(i, p);
-        }
+      contact.for_each_point([&](const auto i, const unsigned int pair) {
+        if (status_of(now(i)) == ContactStatus::slip &&
+            status_of(last(i)) == ContactStatus::stick && bound(i) > 0)
+          act(i, pair);
+      });
     };
     for_releases([&](const auto i, const unsigned int p) {
       sum[p] += load(i);

@@ -280,6 +280,16 @@ namespace Signorini
       return PointVectors(n_components(), zero());
     }
 
+    /// Call act(i, pair) for the points of this rank: their number, and that of their pair.
+    template <typename Action>
+    void
+    for_each_point(const Action &act) const
+    {
+      auto pair = origin.pair.begin();
+      for (const auto i : weight.locally_owned_elements())
+        act(i, *pair++);
+    }
+
     /// One more than the largest number of a pair that has contact points on any rank. Collective.
     unsigned int
     n_pairs() const;

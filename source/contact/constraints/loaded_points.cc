@@ -27,15 +27,13 @@ namespace Signorini
     {
       ValueAndSlopes<dim> at;
       for (const NodeShapeFunction<dim> &function : functions)
-        {
-          const double *const of_node = u + function.node;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              at.value[d] += function.value * of_node[d];
-              for (unsigned int a = 0; a < dim - 1; ++a)
-                at.slopes[a][d] += function.slopes[a] * of_node[d];
-            }
-        }
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double of_node = u[function.node + d];
+            at.value[d] += function.value * of_node;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              at.slopes[a][d] += function.slopes[a] * of_node;
+          }
       return at;
     }
 
@@ -47,16 +45,13 @@ namespace Signorini
                double                        *dst)
     {
       for (const NodeShapeFunction<dim> &function : functions)
-        {
-          double *const of_node = dst + function.node;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              double sum = function.value * force.value[d];
-              for (unsigned int a = 0; a < dim - 1; ++a)
-                sum += function.slopes[a] * force.slopes[a][d];
-              of_node[d] += sum;
-            }
-        }
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double sum = function.value * force.value[d];
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              sum += function.slopes[a] * force.slopes[a][d];
+            dst[function.node + d] += sum;
+          }
     }
   } // namespace
 
