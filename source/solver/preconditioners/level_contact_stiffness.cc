@@ -61,14 +61,14 @@ namespace Signorini
 
     /// The dense matrix B^T D B over the columns of this rank, for the coarsest level.
     FullMatrix<double>
-    local_contact_stiffness(const LA::SparseMatrix    &b,
-                            const std::vector<double> &D,
-                            const unsigned int         n_columns)
+    local_contact_stiffness(const LA::SparseMatrix &b,
+                            const LA::Vector       &D,
+                            const unsigned int      n_columns)
     {
       FullMatrix<double> contact_stiffness(n_columns);
-      for (unsigned int i = 0; i < D.size(); ++i)
+      for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
         {
-          const double point_stiffness = D[i];
+          const double point_stiffness = LA::values_of(D)[i];
           if (point_stiffness == 0)
             continue;
           const LA::RowView row(b, i);
@@ -103,15 +103,10 @@ namespace Signorini
           LA::values_of(weight)[a * n_groups + groups[i]] += W[i];
           LA::values_of(limit)[a * n_groups + groups[i]] += 6. * k[i] * W[i];
         }
-    const auto n_dofs = [&](const unsigned int l) {
-      return Utilities::MPI::sum(double(hierarchy.stiffness(l).diagonal().size()), comm);
-    };
-    const double dim = contact.geometry.position.size();
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       levels.push_back(
         std::make_unique<Level>(l == 0 ? mean_gap_rows(contact, groups, n_groups, weight) :
-                                         hierarchy.prolongation(l - 1).times(levels[l - 1]->B),
-                                std::pow(n_dofs(0) / n_dofs(l), 1 / dim)));
+                                         hierarchy.prolongation(l - 1).times(levels[l - 1]->B)));
     gap.resize(n);
   }
 
@@ -158,12 +153,6 @@ namespace Signorini
   LevelContactStiffness::update_levels()
   {
     is_any = D.linfty_norm() > 0;
-    for (auto &level : levels)
-      {
-        level->D.resize(D.locally_owned_size());
-        for (unsigned int i = 0; i < level->D.size(); ++i)
-          level->D[i] = std::min(LA::values_of(D)[i], LA::values_of(limit)[i] / level->size);
-      }
   }
 
 
@@ -177,7 +166,7 @@ namespace Signorini
     if (!is_any)
       return;
     std::vector<float> of_columns(level.single_precision.n_columns(), 0.f);
-    for (unsigned int i = 0; i < level.D.size(); ++i)
+    for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
       {
         const LA::RowView row(level.B, i);
         double            sum = 0;
@@ -187,7 +176,7 @@ namespace Signorini
           {
             const double size = std::abs(row.values[k]);
             of_columns[row.columns[k]] +=
-              level.D[i] * size * (entries == Entries::all ? sum : size);
+              LA::values_of(D)[i] * size * (entries == Entries::all ? sum : size);
           }
       }
     level.single_precision.add_columns(of_columns.data(), result);
@@ -221,7 +210,7 @@ namespace Signorini
     const LA::LevelMatrix &B = levels[level]->single_precision;
     B.vmult(gap.data(), src);
     for (std::size_t i = 0; i < gap.size(); ++i)
-      gap[i] *= levels[level]->D[i];
+      gap[i] *= LA::values_of(D)[i];
     B.Tvmult_add(dst, gap.data());
   }
 
@@ -235,6 +224,6 @@ namespace Signorini
   {
     const LA::SparseMatrix                    &B       = levels[level]->B;
     const std::vector<types::global_dof_index> columns = LA::global_columns(B);
-    return LA::sum(K, local_contact_stiffness(B, levels[level]->D, columns.size()), columns);
+    return LA::sum(K, local_contact_stiffness(B, D, columns.size()), columns);
   }
 } // namespace Signorini

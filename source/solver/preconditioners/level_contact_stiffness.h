@@ -66,18 +66,13 @@ namespace Signorini
     /// The mean rows of the groups on a level.
     struct Level
     {
-      Level(LA::SparseMatrix &&matrix, const double size)
+      explicit Level(LA::SparseMatrix &&matrix)
         : B(std::move(matrix))
         , single_precision(B)
-        , size(size)
       {}
 
       const LA::SparseMatrix B;
       const LA::LevelMatrix  single_precision;
-      /// Mean size of the cells, relative to that of the finest level.
-      const double size;
-      /// The stiffness of each group on this level.
-      std::vector<double> D;
     };
 
     /// The entries of B^T D B that are summed up.
