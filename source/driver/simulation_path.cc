@@ -157,8 +157,10 @@ namespace Signorini
     const unsigned int parts  = parts_of(turn);
     if (!solve_parts(parts, turn))
       return false;
+    if (parts > 1)
+      return true;
     turn = problem.equilibrium->relative_turn_since(before.displacement);
-    if (parts > 1 || turn <= close * largest_turn)
+    if (turn <= close * largest_turn)
       return true;
     problem.equilibrium->return_to(before);
     my_detour = detour;

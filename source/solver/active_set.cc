@@ -29,7 +29,6 @@ namespace Signorini
     : contact(contact)
     , now(contact.coefficients.bilateral)
     , last(contact.coefficients.bilateral)
-    , before_last(contact.coefficients.bilateral)
     , changes(contact.zero())
     , turns(contact.zero())
     , n_bilateral(count(contact.coefficients.bilateral))
@@ -68,9 +67,8 @@ namespace Signorini
   void
   ActiveSet::update(const LA::Vector &status)
   {
-    before_last = last;
-    last        = now;
-    now         = status;
+    last = now;
+    now  = status;
   }
 
 
@@ -334,7 +332,7 @@ namespace Signorini
   {
     LA::Vector result = contact.zero();
     for (const auto i : result.locally_owned_elements())
-      result(i) = chatters(i) ? 1 : 0;
+      result(i) = changes(i) >= 3 ? 1 : 0;
     result.compress(VectorOperation::insert);
     return result;
   }

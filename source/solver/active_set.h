@@ -71,14 +71,6 @@ namespace Signorini
     void
     slip_most_loaded(const PointVectors &trial);
 
-    /// Let points stay closed for this step that have changed between stick and slip in the last
-    /// one and would open now, if they have changed several times since restart(): the pressure of
-    /// the first step after such a change is that of a linearisation far from the solution, and the
-    /// cycle of stick, slip and open would not end. Returns true if that changes the set.
-    /// Collective.
-    bool
-    keep_closed_after_change();
-
     /// Let the points that close stick for this step, where there is friction. Collective.
     void
     stick_where_closing();
@@ -157,19 +149,13 @@ namespace Signorini
     chattering_points() const;
 
   private:
-    /// True if the point has changed its status at least three times since restart().
-    bool
-    chatters(const dealii::types::global_dof_index point) const
-    {
-      return changes(point) >= 3;
-    }
     /// The rounding error of coordinates [length]: smaller penetrations are insignificant.
     double
     coordinate_rounding() const;
 
     // Statuses of the present and the last step, and the number of changes of each point.
     const GapOperator &contact;
-    LA::Vector         now, last, before_last, changes;
+    LA::Vector         now, last, changes;
     // How often tractions have turned since restart() or since the points stuck.
     LA::Vector turns;
     // Number of bilateral points on all ranks.

@@ -198,22 +198,6 @@ namespace Signorini
 
 
   bool
-  ActiveSet::keep_closed_after_change()
-  {
-    unsigned int n = 0;
-    for (const auto i : now.locally_owned_elements())
-      if (!is_closed(now(i)) && is_closed(last(i)) && last(i) != before_last(i) && chatters(i))
-        {
-          now(i) = last(i);
-          ++n;
-        }
-    now.compress(VectorOperation::insert);
-    return Utilities::MPI::max(n, now.get_mpi_communicator()) > 0;
-  }
-
-
-
-  bool
   ActiveSet::keep_kinds()
   {
     unsigned int n = 0;
