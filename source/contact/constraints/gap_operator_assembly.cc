@@ -315,8 +315,14 @@ namespace Signorini
                      !configuration.is_reference(),
                      comm);
     normalise(contact);
-    if (tangents && method.sampling() == Sampling::nodes)
-      remove_slip_across_symmetry_planes(elasticity, *tangents, contact);
+    LA::Vector free = elasticity.zero_vector();
+    free            = 1.;
+    elasticity.constraints().set_zero(free);
+    if (tangents && method.sampling() == Sampling::nodes && !contact.empty())
+      {
+        remove_slip_across_symmetry_planes(elasticity, *tangents, contact);
+        align_slip_with_supports(elasticity, *tangents, free, contact);
+      }
     if (contact.has_stress())
       assemble_field_stress(elasticity, rows, surfaces, tangents, contact);
     // Points of pairs without separation are active whatever the sign of their pressure.
@@ -339,9 +345,6 @@ namespace Signorini
 
     // B_free: columns of prescribed displacements removed, for forces and linear systems; condensed
     // columns of inclined supports are added below.
-    LA::Vector free = elasticity.zero_vector();
-    free            = 1.;
-    elasticity.constraints().set_zero(free);
     // Copies share the sparsity pattern: columns of prescribed displacements are set to zero, not
     // removed.
     contact.B_free.copy_from(contact.B);

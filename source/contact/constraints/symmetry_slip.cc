@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slip at nodes on planes of symmetry.
+// The slip at nodes that supports hold along the surface, on planes of symmetry for example.
 #include "contact/constraints/tangents.h"
 #include "linear_algebra/columns.h"
 #include "linear_algebra/row_view.h"
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace Signorini
 {
@@ -192,6 +193,92 @@ namespace Signorini
 
 
 
+  // With the components q of the direction n of a support along the tangents of a row, the row of
+  // the slip along n is sum_a q_a B_a. In it the entry w of the node itself becomes n (n.w), and
+  // entries of free degrees of freedom vanish.
+  template <int dim>
+  void
+  align_slip_with_supports(const Elasticity<dim> &elasticity,
+                           const Tangents<dim>   &tangents,
+                           const LA::Vector      &is_free,
+                           GapOperator           &contact)
+  {
+    // The sine of about six degrees: more than tangents differ from those of the body on meshes
+    // that show its shape.
+    constexpr double small = 0.1;
+    const auto      &nodes = elasticity.constrained_nodes();
+    // Most scenes hold no slave node.
+    const bool any = std::any_of(contact.origin.node.begin(),
+                                 contact.origin.node.end(),
+                                 [&](const auto node) { return nodes.count(node) > 0; });
+    if (Utilities::MPI::max(any ? 1 : 0, elasticity.mesh().communicator()) == 0)
+      return;
+    const auto dofs = LA::global_columns(contact.B);
+    const auto free = LA::ColumnExchange(contact.B).fetch(is_free);
+    int        row  = -1;
+    for (const auto i : contact.weight.locally_owned_elements())
+      {
+        const auto first = contact.origin.node[++row];
+        const auto node  = nodes.find(first);
+        if (node == nodes.end())
+          continue;
+        const auto frame = tangents.at_rest(i);
+        for (const DirectionConstraint<dim> &one : node->second.prescribed_directions)
+          {
+            const Tensor<1, dim> &n = one.direction;
+            Tensor<1, dim - 1>    q;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              q[a] = frame[a] * n;
+            if (q.norm() < std::sqrt(1 - small * small))
+              continue;
+            q /= q.norm();
+            const LA::RowView             shape(contact.B, row);
+            std::array<double *, dim - 1> values;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              values[a] = LA::RowView(contact.tangential.B[a], row).values;
+            // The row along n, and what is to remain of it.
+            std::vector<double> along(shape.size, 0.), kept(shape.size, 0.);
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              for (int k = 0; k < shape.size; ++k)
+                along[k] += q[a] * values[a][k];
+            double held = 0, rest = 0;
+            for (int k = 0; k < shape.size; ++k)
+              {
+                const auto dof = dofs[shape.columns[k]];
+                if (dof >= first && dof < first + dim)
+                  {
+                    for (int l = 0; l < shape.size; ++l)
+                      if (const auto other = dofs[shape.columns[l]];
+                          other >= first && other < first + dim)
+                        kept[k] += n[dof - first] * n[other - first] * along[l];
+                  }
+                else if (free[shape.columns[k]] == 0)
+                  kept[k] = along[k];
+                held += std::abs(kept[k]);
+                rest += std::abs(along[k] - kept[k]);
+              }
+            // Other free motion makes slip of its own: that of the master, or of neighbours.
+            if (rest > small * held)
+              continue;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              for (int k = 0; k < shape.size; ++k)
+                values[a][k] += q[a] * (kept[k] - along[k]);
+          }
+      }
+  }
+
+
+
+  template void
+  align_slip_with_supports(const Elasticity<2> &,
+                           const Tangents<2> &,
+                           const LA::Vector &,
+                           GapOperator &);
+  template void
+  align_slip_with_supports(const Elasticity<3> &,
+                           const Tangents<3> &,
+                           const LA::Vector &,
+                           GapOperator &);
   template void
   remove_slip_across_symmetry_planes(const Elasticity<2> &, const Tangents<2> &, GapOperator &);
   template void

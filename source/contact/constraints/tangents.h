@@ -100,4 +100,17 @@ namespace Signorini
   remove_slip_across_symmetry_planes(const Elasticity<dim> &elasticity,
                                      const Tangents<dim>   &tangents,
                                      GapOperator           &contact);
+
+  /// Let the slip of slave nodes that supports hold or move along the surface, within six degrees,
+  /// depend on the support alone. The tangents of a curved surface differ from its direction by the
+  /// mesh, so that a small part of the free motion across the surface would count as slip: traction
+  /// there, which hardly moves the body, would not be determined. Collective.
+  /// @param tangents of the rows @param is_free 0 where supports prescribe the degree of freedom
+  /// @param contact with B and rows of the slip, which are changed
+  template <int dim>
+  void
+  align_slip_with_supports(const Elasticity<dim> &elasticity,
+                           const Tangents<dim>   &tangents,
+                           const LA::Vector      &is_free,
+                           GapOperator           &contact);
 } // namespace Signorini
