@@ -71,6 +71,16 @@ namespace Signorini
     void
     slip_most_loaded(const PointVectors &trial);
 
+    /// Where points that stuck begin to slip, let slip spread over the sticking points around, ring
+    /// by ring, as far as these cannot bear what exceeds the bound at the ones that begin. Left to
+    /// the point-wise law, the zone of slip of a thin body grows by a few points a step.
+    /// Collective.
+    /// @param trial trial traction of the law
+    /// @param traction of the points; where slip spreads to, set to the bound in the direction of
+    /// the excess
+    void
+    spread_slip(const PointVectors &trial, PointVectors &traction);
+
     /// Let the points that close stick for this step, where there is friction. Collective.
     void
     stick_where_closing();
@@ -192,11 +202,14 @@ namespace Signorini
 
     /// Determine the statuses of the next step. Returns true if the linearisation is not that of
     /// the last step. Collective.
+    /// @param in gaps, stresses and tractions
+    /// @param traction those of `in`; changed where slip spreads
     /// @param n number of the step
     /// @param was_idle the last step changed nothing
     /// @param step gets the counts
     bool
-    update(const LawInputs &in, unsigned int n, bool was_idle, NewtonStep &step);
+    update(
+      const LawInputs &in, PointVectors &traction, unsigned int n, bool was_idle, NewtonStep &step);
 
     /// Values of ContactStatus of the present set.
     const LA::Vector &

@@ -78,6 +78,7 @@ namespace Signorini
   // the linearisation of the contact terms has changed. Collective.
   bool
   ActiveSetStrategy::update(const LawInputs   &in,
+                            PointVectors      &traction,
                             const unsigned int n,
                             const bool         was_idle,
                             NewtonStep        &step)
@@ -116,6 +117,8 @@ namespace Signorini
         if (is_cold && n <= steps_of_growth)
           active_set.stick_where_closing();
         active_set.stick_where_traction_turns(trial, in.traction);
+        if (n > 0 && n <= patience)
+          active_set.spread_slip(trial, traction);
         // Where too many have been let go before, a few at a time.
         if (n_holds > 0)
           active_set.slip_most_loaded(trial);

@@ -101,7 +101,7 @@ namespace Signorini
       {
         const unsigned int n        = report.steps.size();
         const bool         was_idle = n > 0 && report.steps.back().krylov_iterations == 0;
-        if (strategy.update(in, n, was_idle, step))
+        if (strategy.update(in, state.traction, n, was_idle, step))
           is_same = false;
         state.status   = strategy.status();
         state.traction = law.traction(in, state.status);
@@ -254,6 +254,9 @@ namespace Signorini
       stage.damping = energy_descending_step({bodies, system, law, u, state, r}, x, stage.damping);
     else if (strategy.needs_globalisation() && has_energy(system))
       stage.damping *= energy_minimising_step(system, law, r, in, x.block(0));
+    else if (contact.n_components() > 1 && !bodies.is_nonlinear() && n > 0 && step.changes > 0 &&
+             !step.restricted_set && !step.kept_previous_set)
+      stage.damping *= residual_reducing_step({bodies, system, law, u, state, r}, x);
     u.add(stage.damping, x.block(0));
     for (unsigned int a = 0; a < state.traction.size() && system.is_saddle_point(); ++a)
       state.traction[a].add(stage.damping, x.block(1 + a));

@@ -51,4 +51,12 @@ namespace Signorini
   /// @param longest largest admissible step length
   double
   energy_descending_step(const LineSearchStart &start, const LA::BlockVector &step, double longest);
+
+  /// A step length at which the residual of contact with friction, which has no energy, is smaller
+  /// than at the start: 1 if it is so there, else the best of four trials down to a quarter
+  /// (doc/theory, 4.6). For linear bodies. With multipliers a trial costs vectors on the contact
+  /// surface only, otherwise one residual. Collective.
+  /// @param step increment (u, q), blocks as of the system
+  double
+  residual_reducing_step(const LineSearchStart &start, const LA::BlockVector &step);
 } // namespace Signorini

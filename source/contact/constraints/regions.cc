@@ -192,6 +192,44 @@ namespace Signorini
 
 
 
+  LA::Vector
+  ContactRegions::with_neighbours(const LA::Vector &in) const
+  {
+    LA::Vector result;
+    result.reinit(in);
+    if (empty())
+      return result;
+    std::vector<Index> inside(layout->locally_owned_size() + layout->n_ghost_indices(), 0);
+    auto               point = points.begin();
+    for (const auto i : in.locally_owned_elements())
+      {
+        if (in(i) > 0)
+          for (const unsigned int node : *point)
+            inside[node] = 1;
+        ++point;
+      }
+    maximise_over_ranks(inside);
+    std::vector<Index> grown = inside;
+    // Faces of integration points share the nodes themselves.
+    if (at_nodes)
+      for (const Numbers &face : faces)
+        if (std::any_of(face.begin(), face.end(), [&](const auto node) { return inside[node]; }))
+          for (const unsigned int node : face)
+            grown[node] = 1;
+    maximise_over_ranks(grown);
+    point = points.begin();
+    for (const auto i : in.locally_owned_elements())
+      {
+        const auto is_in = [&](const unsigned int node) { return grown[node] > 0; };
+        result(i)        = std::any_of(point->begin(), point->end(), is_in) ? 1. : 0.;
+        ++point;
+      }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
   // Mean of the values at the neighbours of each node, those on its faces that are `in`. A
   // neighbour counts once for each face that both share. `complete` is 1 where all neighbours are
   // in.

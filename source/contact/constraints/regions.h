@@ -39,6 +39,11 @@ namespace Signorini
     LA::Vector
     sums(const LA::Vector &in, const LA::Vector &values) const;
 
+    /// 1 at the points with in > 0 and at those next to them, which share a slave face or, at
+    /// integration points, a node of their faces; elsewhere 0. Collective.
+    LA::Vector
+    with_neighbours(const LA::Vector &in) const;
+
     /// For nodal contact points with in > 0: the mean of `values` at the neighbours, the other
     /// nodes of the faces around, each as often as they share a face. Collective.
     /// @param complete set to 1 where all neighbours have in > 0, else to 0
