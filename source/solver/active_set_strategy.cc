@@ -99,12 +99,15 @@ namespace Signorini
         // On a cold start only gaps are known: a part of the penetrating points becomes active.
         // Bodies that contact alone supports either are constrained by the points with zero gap, or
         // are moved into contact first.
-        const bool         falls  = n == 0 && !system.unconstrained_modes().empty();
-        const bool         stands = falls && zero_gaps_constrain_all_modes(gap);
-        const unsigned int kept   = stands ? active_set.activate_zero_gap(gap) :
-                                    falls  ? active_set.deactivate_zero_gap(gap) :
-                                             active_set.restrict_to_deepest(gap, grows);
-        step.restricted_set       = kept < all;
+        const bool falls  = n == 0 && !system.unconstrained_modes().empty();
+        const bool stands = falls && zero_gaps_constrain_all_modes(gap);
+        // With friction surfaces that touch everywhere start closed: a thin body that bends freely
+        // in the first step would have slipped by anything.
+        const bool         touches = n == 0 && !falls && all == 0 && contact.n_components() > 1;
+        const unsigned int kept    = stands || touches ? active_set.activate_zero_gap(gap) :
+                                     falls             ? active_set.deactivate_zero_gap(gap) :
+                                                         active_set.restrict_to_deepest(gap, grows);
+        step.restricted_set        = kept < all || (touches && kept > 0);
       }
     bool kept_kinds = false;
     if (contact.n_components() > 1)

@@ -3,7 +3,7 @@
 
 import math
 
-from case import VARIED, Case, number
+from case import SCENES, VARIED, Case, number
 
 LAYER = VARIED / "friction-layer.prm"
 
@@ -122,6 +122,48 @@ end
     test.check(all(math.isclose(a, b, rel_tol=1e-6) and b > 0 for a, b in zip(*found)), f"{found[0]} instead of {found[1]}")
 
 
+def newton_steps(results):
+    return [step["newton_iterations"] for step in results["load_steps"]]
+
+
+def bar(test):
+    """Slip spreads along a thin bar in few steps on any mesh, and under reversed forces; the end moves as shear-lag theory says."""
+    scene = VARIED / "friction-bar.prm"
+    for cells in (200, 400):
+        for method in ("Lagrange multiplier", "penalty", "Nitsche"):
+            results = test.results(scene, [f"Bodies/bar/Subdivisions={cells},2", f"Contact method/Method={method}"])
+            steps = newton_steps(results)
+            moves = [number(results, f"load_steps/{n}/probes/end/displacement/0") for n in (1, 2, 3)]
+            test.print(f"{method}, {cells} cells: {steps} Newton steps, moved by {moves}")
+            test.check(max(steps) <= 12, f"{method}, {cells} cells: {steps} Newton steps")
+            # The length of the zone where the tension enters the bar is about its thickness, 2 % of the length that slips.
+            test.check(all(abs(move / wanted - 1) <= 0.01 for move, wanted in zip(moves, (0.09, -0.09, 0.09))),
+                       f"{method}, {cells} cells: the end is moved by {moves} instead of 0.09, -0.09, 0.09")
+
+
+def stack(test):
+    """Near the limit beyond which bodies slide as a whole, few load steps are divided, and methods agree."""
+    works = []
+    for method in ("Lagrange multiplier", "penalty"):
+        results = test.results(VARIED / "friction-stack.prm", [f"Contact method/Method={method}"])
+        steps = newton_steps(results)
+        works.append(number(results, "pairs/lower/total_friction_work"))
+        test.print(f"{method}: {steps} Newton steps, work {works[-1]:.6g}")
+        test.check(len(steps) <= 10 and sum(steps) <= 120, f"{method}: {steps} Newton steps")
+    test.check(math.isclose(*works, rel_tol=2e-3), f"works of friction {works}")
+
+
+def rotation(test):
+    """Rotations whose square is not small beside the strains are warned of at small strain."""
+    scene = SCENES / "friction-turn-bodies.prm"
+    sets = ["Supports/hub/Displacement=(cos(0.05*t)-1)*x-sin(0.05*t)*y; sin(0.05*t)*x+(cos(0.05*t)-1)*y", "Contact method/Contact geometry=updated"]
+    small, finite = (warnings(test.results(scene, [*sets, f"Deformation={model}"])) for model in ("small", "finite"))
+    test.check("rotation / strain" in small and "rotation / strain" not in finite, f"warned of {small} and {finite}")
+
+
 def cases():
+    for body in (bar, stack):
+        yield Case("friction/newton", body.__name__, body)
+    yield Case("friction/steps", "rotation", rotation)
     for body in (falling, stick, zero_pressure, detours, pieces):
         yield Case("friction/steps", body.__name__.replace("_", "-"), body)
