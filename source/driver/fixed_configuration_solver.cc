@@ -147,7 +147,10 @@ namespace Signorini
       contact.check_friction(t, my_contact.internal, my_contact.pressure());
     my_contact.internal_at_end = solver->newton.internal(state.displacement, my_contact);
     if (scene.contact.chosen().has_friction)
-      forget_slip_without_pressure();
+      {
+        forget_slip_without_pressure();
+        stick_without_slip();
+      }
     ContactState now        = my_contact;
     now.internal            = now.internal_at_end;
     state.contact           = to_surface_field(contact.gap_operator(), now, dim);
@@ -177,6 +180,37 @@ namespace Signorini
             after.scalars[k](i) = before.scalars.empty() ? 0. : double(before.scalars[k](i));
         }
     after.compress();
+  }
+
+
+
+  // A point that slipped before may rest on the bound of friction without slipping: its trial
+  // traction is on the rim of the disc, and rounding decides its status. Slips are compared with
+  // the largest one of the pair in the load step.
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::stick_without_slip()
+  {
+    const GapOperator    &operators = contact.gap_operator();
+    const InternalFields &after = my_contact.internal_at_end, &before = my_contact.internal;
+    if (after.scalars.size() < 2)
+      return;
+    const auto slip = [&](const auto i) {
+      return after.scalars[1](i) - (before.scalars.empty() ? 0. : double(before.scalars[1](i)));
+    };
+    constexpr double    negligible = 1e-6, rounding = 1e-12;
+    std::vector<double> largest(operators.n_pairs(),
+                                rounding / negligible * elasticity.mesh().size());
+    operators.for_each_point([&](const auto i, const unsigned int pair) {
+      largest[pair] = std::max(largest[pair], slip(i));
+    });
+    Utilities::MPI::max(largest, elasticity.mesh().communicator(), largest);
+    operators.for_each_point([&](const auto i, const unsigned int pair) {
+      if (status_of(my_contact.status(i)) == ContactStatus::slip &&
+          operators.coefficients.friction(i) > 0 && slip(i) <= negligible * largest[pair])
+        my_contact.status(i) = static_cast<double>(ContactStatus::stick);
+    });
+    my_contact.status.compress(VectorOperation::insert);
   }
 
 

@@ -138,6 +138,10 @@ namespace Signorini
     /// Points whose pressure is rounding have the internal variables of open ones. Collective.
     void
     forget_slip_without_pressure();
+    /// Points that rest on the bound of friction without slipping in the load step stick.
+    /// Collective.
+    void
+    stick_without_slip();
     /// Make the solver and what it needs, as far as it does not exist.
     void
     make_solver();

@@ -153,6 +153,20 @@ def stack(test):
     test.check(math.isclose(*works, rel_tol=2e-3), f"works of friction {works}")
 
 
+def rest(test):
+    """Bodies at rest do not creep, and what does not slip sticks: loads that stay, then vanish, with all methods."""
+    sets = ["Loads/pull/Traction=5*table(t, 1,0, 2,3, 12,3, 13,0); 0", "Load steps/Times=1,2,3,4,5,6,7,8,9,10,11,12,13"]
+    for name, theta in (("Lagrange multiplier", 1), ("penalty", 1), ("Nitsche", 1), ("Nitsche", 0), ("Nitsche", -1)):
+        results = test.results(VARIED / "friction-bar.prm", [*sets, f"Contact method/Method={name}", f"Contact method/Nitsche/Theta={theta}"])
+        first, last = (number(results, f"load_steps/{n}/probes/end/displacement/0") for n in (1, 11))
+        still = max(number(results, f"load_steps/{n}/pairs/foot/slip_area") for n in range(2, 12))
+        back = number(results, "pairs/foot/slip_area")
+        test.print(f"{name}, theta {theta}: moved by {first:.10g}, later {last:.10g}, slip area at rest {still}, after the force {back}")
+        test.check(math.isclose(first, last, rel_tol=1e-7) and still == 0, f"{name}, theta {theta}: {first} becomes {last}, slip area {still}")
+        # Without the force slip returns over half of the length.
+        test.check(abs(back / 6 - 1) <= 0.06, f"{name}, theta {theta}: slip returns over {back} instead of 6")
+
+
 def rotation(test):
     """Rotations whose square is not small beside the strains are warned of at small strain."""
     scene = SCENES / "friction-turn-bodies.prm"
@@ -162,7 +176,7 @@ def rotation(test):
 
 
 def cases():
-    for body in (bar, stack):
+    for body in (bar, rest, stack):
         yield Case("friction/newton", body.__name__, body)
     yield Case("friction/steps", "rotation", rotation)
     for body in (falling, stick, zero_pressure, detours, pieces):

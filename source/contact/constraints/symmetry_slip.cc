@@ -203,9 +203,9 @@ namespace Signorini
                            const LA::Vector      &is_free,
                            GapOperator           &contact)
   {
-    // The sine of about six degrees: more than tangents differ from those of the body on meshes
+    // The sine of about 17 degrees: more than tangents differ from those of the body on meshes
     // that show its shape.
-    constexpr double small = 0.1;
+    constexpr double small = 0.3;
     const auto      &nodes = elasticity.constrained_nodes();
     // Most scenes hold no slave node.
     const bool any = std::any_of(contact.origin.node.begin(),

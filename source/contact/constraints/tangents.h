@@ -101,7 +101,7 @@ namespace Signorini
                                      const Tangents<dim>   &tangents,
                                      GapOperator           &contact);
 
-  /// Let the slip of slave nodes that supports hold or move along the surface, within six degrees,
+  /// Let the slip of slave nodes that supports hold or move along the surface, within 17 degrees,
   /// depend on the support alone. The tangents of a curved surface differ from its direction by the
   /// mesh, so that a small part of the free motion across the surface would count as slip: traction
   /// there, which hardly moves the body, would not be determined. Collective.

@@ -100,8 +100,11 @@ namespace Signorini
       result[0] = in.traction[0] - c * (in.gap[0] + elastic * in.traction[0]);
     for (unsigned int a = 1; a < n_components(); ++a)
       {
-        const double predicted = has_multiplier()                      ? in.traction[a] :
-                                 shift == PressureShift::normal_stress ? in.stress[a] :
+        // With Nitsche's method sticking points keep the difference of stress and traction, whose
+        // slip would otherwise be made anew in each load step: bodies at rest would creep.
+        const double predicted = has_multiplier() ? in.traction[a] :
+                                 shift == PressureShift::normal_stress ?
+                                                    in.stress[a] - in.internal.vectors[0][a] :
                                  shift == PressureShift::last_pressure ? last[a](point) :
                                                                          in.internal.vectors[0][a];
         // The slip of an unknown traction with compliance is that beyond the elastic one.
@@ -167,7 +170,9 @@ namespace Signorini
         const double before = has_multiplier() ? in.traction[a] : tried[a] + c * in.gap[a];
         result.traction[a]  = has_multiplier() ? in.traction[a] : allowed.traction[a];
         result.residual[a]  = (before - allowed.traction[a]) / c;
-        result.internal.vectors[0][a] = result.traction[a];
+        result.internal.vectors[0][a] =
+          (shift == PressureShift::normal_stress ? in.stress[a] : 0.) +
+          (shift == PressureShift::normal_stress ? -1. : 1.) * result.traction[a];
         result.internal.vectors[1][a] = in.internal.vectors[1][a] + in.gap[a];
         // The slip but for elastic slip, along the projection: zero where the point sticks.
         const double lost = (result.traction[a] - tried[a]) / c;

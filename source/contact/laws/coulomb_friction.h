@@ -20,12 +20,13 @@ namespace Signorini
   /// Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler, Wohlmuth, SIAM
   /// J. Sci. Comput. 30 (2008) 572-596).
   ///
-  /// The internal variables are, at the end of the last load step: the tangential traction (vector
-  /// 0); the slip since the point came into contact (vector 1) [length]; the work per area that
-  /// friction has taken from the bodies (scalar 0) [force/length]; and the length of the path of
-  /// slip (scalar 1) [length]. The latter two are those of (t - (t^ - c s))/c, the slip without the
-  /// elastic one of penalties, or that of the discretisation with Nitsche's method: the work is not
-  /// negative. A point that opens keeps the scalars only.
+  /// The internal variables are, at the end of the last load step: the tangential traction, with
+  /// Nitsche's method the tangential stress less the traction (vector 0); the slip since the point
+  /// came into contact (vector 1) [length]; the work per area that friction has taken from the
+  /// bodies (scalar 0) [force/length]; and the length of the path of slip (scalar 1) [length]. The
+  /// latter two are those of (t - (t^ - c s))/c, the slip without the elastic one of penalties, or
+  /// that of the discretisation with Nitsche's method: the work is not negative. A point that opens
+  /// keeps the scalars only.
   class CoulombFriction : public ContactLaw
   {
   public:
