@@ -376,6 +376,7 @@ namespace Signorini
   ExitCode
   Simulation<dim>::finish(NewtonReport end)
   {
+    constexpr int digits = 6; // the next load step may fail at once
     if (!end.converged && end.tangent_is_indefinite)
       end.reason +=
         (problem.state.time > 0 ? "; the last converged load step ends at t = " +
@@ -387,11 +388,11 @@ namespace Signorini
     else if (!end.converged && !is_interrupted && shortest_tried > 0)
       end.reason +=
         "; load steps down to " + short_text(shortest_tried) +
-        " were tried from t = " + short_text(problem.state.time) +
+        " were tried from t = " + short_text(problem.state.time, digits) +
         ": where contact slides off a corner or an edge, or a snap fit releases, no neighbouring "
         "equilibrium exists, and no load step is small enough" +
-        (problem.state.time > 0 ? "; set Load steps/End time = " + short_text(problem.state.time) +
-                                    " to obtain the solution up to there" :
+        (problem.state.time > 0 ? "; set Load steps/End time = " +
+                                    short_text(problem.state.time, digits) + " to obtain the solution up to there" :
                                   "");
     recorder->add_sizes(*problem.elasticity,
                         problem.contact->surfaces(),

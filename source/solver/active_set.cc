@@ -367,7 +367,6 @@ namespace Signorini
     if (n == 0)
       return "";
     return "; the active set keeps changing at " + std::to_string(n) +
-           " contact points, among them" + places +
-           ". Refine there, reduce the penalty, or choose another method";
+           (n == 1 ? " contact point," : " contact points, among them") + places;
   }
 } // namespace Signorini

@@ -191,7 +191,12 @@ namespace Signorini
       report.converged = true;
     else if (!report.converged && n == settings.maximum_steps)
       report.reason = "Newton's method did not converge in " + std::to_string(n) +
-                      " steps (Newton/Maximum steps)" + strategy.set().chattering_points();
+                      " steps (Newton/Maximum steps)" + strategy.set().chattering_points() +
+                      "; refine there, " +
+                      (law.augments()       ? "set Contact method/augmented Lagrangian/Scheme = auto, " :
+                       law.has_multiplier() ? "take smaller load steps, " :
+                                              "reduce the penalty, ") +
+                      "or choose another method";
     if (!report.is_finished())
       return;
     // Information for messages: oscillating points and the body with the largest residual.
