@@ -94,7 +94,7 @@ namespace Signorini
     /// their values at one time to those at another, on which they may advance at any speed, but
     /// not return; relative to their largest values up to the end of the history. Collective.
     double
-    detour_of_loads(double from, double to);
+    deviation_of_loads(double from, double to);
 
     /// The largest angle by which an obstacle turns between now and a time [radian], if the contact
     /// geometry is the current one; else zero. Collective.
@@ -125,13 +125,13 @@ namespace Signorini
 
   private:
     /// Prescribed displacements [length] and loads [force], by degree of freedom.
-    using Drives = std::array<LA::Vector, 2>;
+    using Loading = std::array<LA::Vector, 2>;
     /// Those at a time. Sets largest_loads; leaves the time of the bodies there. Collective.
-    Drives
-    drives_at(double t);
+    Loading
+    loading_at(double t);
     /// The largest entry relative to largest_loads.
     double
-    relative_size(const Drives &drives) const;
+    relative_size(const Loading &loading) const;
     /// True if the contact geometry is, or may become, the current one.
     bool
     may_follow_turns() const;

@@ -45,10 +45,10 @@ namespace Signorini
     const bool work_is_accurate =
       judge(error.work, change.work, largest.work, spent.work, excess.work);
     // A coefficient is that of the slip before the load step, in the whole step as in its halves.
-    const double lag = fine.change_of_friction;
-    if (lag > 0)
-      my_growth = std::min(my_growth, std::max(1., 0.9 * tolerance / lag));
-    return work_is_accurate && traction_is_accurate && lag <= tolerance;
+    const double of_bound = fine.change_of_friction;
+    if (of_bound > 0)
+      my_growth = std::min(my_growth, std::max(1., 0.9 * tolerance / of_bound));
+    return work_is_accurate && traction_is_accurate && of_bound <= tolerance;
   }
 
 

@@ -163,8 +163,8 @@ namespace Signorini
     PathControl              path_control;
     std::optional<FirstHalf> first_half;    ///< of the load step before, if it is known
     std::optional<double>    my_path_error; ///< of the last load step, if it was estimated
-    /// Of the loads in the last load step, see Equilibrium::detour_of_loads(), if load steps are
+    /// Of the loads in the last load step, see Equilibrium::deviation_of_loads(), if load steps are
     /// not chosen for the accuracy of the path.
-    double my_detour = 0;
+    double my_deviation = 0;
   };
 } // namespace Signorini

@@ -243,7 +243,7 @@ namespace Signorini
     recorder->add_deformation(problem.neglected_work, problem.elasticity->is_finite_strain());
     recorder->add_path_error(my_path_error, problem.state.time);
     if (scene.contact.chosen().has_friction)
-      recorder->add_detour_of_loads(my_detour, problem.state.time);
+      recorder->add_deviation_of_loads(my_deviation, problem.state.time);
     const Snapshot<dim> now = problem.equilibrium->snapshot(step);
     if (after_step)
       after_step(now);

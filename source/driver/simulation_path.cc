@@ -82,7 +82,7 @@ namespace Signorini
   Simulation<dim>::solve_step(const double t, const double tolerance, const bool may_be_halved)
   {
     my_path_error.reset();
-    my_detour = 0;
+    my_deviation = 0;
     if (!scene.contact.chosen().has_friction)
       return problem.solve(t, tolerance);
     if (!controls_path())
@@ -152,9 +152,9 @@ namespace Signorini
           return false;
       return true;
     };
-    const double       detour = my_detour;
-    double             turn   = problem.equilibrium->turn_of_obstacles(t);
-    const unsigned int parts  = parts_of(turn);
+    const double       deviation = my_deviation;
+    double             turn      = problem.equilibrium->turn_of_obstacles(t);
+    const unsigned int parts     = parts_of(turn);
     if (!solve_parts(parts, turn))
       return false;
     if (parts > 1)
@@ -163,7 +163,7 @@ namespace Signorini
     if (turn <= close * largest_turn)
       return true;
     problem.equilibrium->return_to(before);
-    my_detour = detour;
+    my_deviation = deviation;
     return solve_parts(parts_of(turn), turn);
   }
 
@@ -208,7 +208,8 @@ namespace Signorini
     constexpr unsigned int most   = 12;
     const State            before = problem.state;
     if (!controls_path())
-      my_detour = std::max(my_detour, problem.equilibrium->detour_of_loads(before.time, t));
+      my_deviation =
+        std::max(my_deviation, problem.equilibrium->deviation_of_loads(before.time, t));
     const auto gaps = [this] {
       const GapOperator &contact = problem.contact->gap_operator();
       return smallest_gaps(problem.decisions.pairs,

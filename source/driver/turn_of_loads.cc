@@ -110,21 +110,21 @@ namespace Signorini
 
   // The largest values of the history are those at 16 times of it.
   template <int dim>
-  typename Equilibrium<dim>::Drives
-  Equilibrium<dim>::drives_at(const double t)
+  typename Equilibrium<dim>::Loading
+  Equilibrium<dim>::loading_at(const double t)
   {
     const auto evaluate = [this](const double time) {
       elasticity.set_time(time);
       LA::Vector prescribed = elasticity.zero_vector();
       elasticity.distribute(prescribed);
-      return Drives{{prescribed, elasticity.load()}};
+      return Loading{{prescribed, elasticity.load()}};
     };
     if (largest_loads[0] == 0 && largest_loads[1] == 0)
       {
         constexpr unsigned int n = 16;
         for (unsigned int i = 0; i <= n; ++i)
           {
-            const Drives now = evaluate(scene.load_steps.end_time * i / n);
+            const Loading now = evaluate(scene.load_steps.end_time * i / n);
             for (unsigned int k = 0; k < 2; ++k)
               largest_loads[k] = std::max(largest_loads[k], now[k].linfty_norm());
           }
@@ -136,12 +136,12 @@ namespace Signorini
 
   template <int dim>
   double
-  Equilibrium<dim>::relative_size(const Drives &drives) const
+  Equilibrium<dim>::relative_size(const Loading &loading) const
   {
     double result = 0;
     for (unsigned int k = 0; k < 2; ++k)
       if (largest_loads[k] > 0)
-        result = std::max(result, drives[k].linfty_norm() / largest_loads[k]);
+        result = std::max(result, loading[k].linfty_norm() / largest_loads[k]);
     return result;
   }
 
@@ -152,11 +152,11 @@ namespace Signorini
   double
   Equilibrium<dim>::turn_of_loads(const double from, const double to)
   {
-    const Drives first = drives_at(from), last = drives_at(to);
-    double       result = 0;
+    const Loading first = loading_at(from), last = loading_at(to);
+    double        result = 0;
     for (const double share : {0.25, 0.5, 0.75})
       {
-        Drives between = drives_at(from + share * (to - from));
+        Loading between = loading_at(from + share * (to - from));
         for (unsigned int k = 0; k < 2; ++k)
           between[k].add(share - 1, first[k], -share, last[k]);
         result = std::max(result, relative_size(between));
@@ -171,13 +171,13 @@ namespace Signorini
   // irregular places, so that loads with a period within the step are seen.
   template <int dim>
   double
-  Equilibrium<dim>::detour_of_loads(const double from, const double to)
+  Equilibrium<dim>::deviation_of_loads(const double from, const double to)
   {
-    const Drives first = drives_at(from);
-    Drives       way   = drives_at(to);
+    const Loading first = loading_at(from);
+    Loading       way   = loading_at(to);
     for (unsigned int k = 0; k < 2; ++k)
       way[k] -= first[k];
-    const auto product = [&](const Drives &a, const Drives &b) {
+    const auto product = [&](const Loading &a, const Loading &b) {
       double sum = 0;
       for (unsigned int k = 0; k < 2; ++k)
         if (largest_loads[k] > 0)
@@ -188,7 +188,7 @@ namespace Signorini
     double       result = 0, share = 0;
     for (const double place : {0.07, 0.19, 0.31, 0.46, 0.54, 0.69, 0.81, 0.93})
       {
-        Drives there = drives_at(from + place * (to - from));
+        Loading there = loading_at(from + place * (to - from));
         for (unsigned int k = 0; k < 2; ++k)
           there[k] -= first[k];
         if (square > 0)
@@ -271,7 +271,7 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template double Equilibrium<dim>::turn_of_loads(double, double);                                 \
-  template double Equilibrium<dim>::detour_of_loads(double, double);                               \
+  template double Equilibrium<dim>::deviation_of_loads(double, double);                            \
   template bool   Equilibrium<dim>::may_follow_turns() const;                                      \
   template double Equilibrium<dim>::relative_turn_since(const LA::Vector &);                       \
   template double Equilibrium<dim>::turn_of_obstacles(double);

@@ -103,9 +103,9 @@ namespace Signorini
     void
     add_path_error(std::optional<double> change, double time);
     /// Check that the load step follows the loads.
-    /// @param detour see Equilibrium::detour_of_loads(); @param time of the load step
+    /// @param deviation see Equilibrium::deviation_of_loads(); @param time of the load step
     void
-    add_detour_of_loads(double detour, double time);
+    add_deviation_of_loads(double deviation, double time);
     /// Record the solution on a mesh that will be refined.
     /// @param newton_iterations of this solution
     /// @param multigrid_cycles of this solution

@@ -58,9 +58,9 @@ namespace Signorini
 
   template <int dim>
   void
-  Recorder<dim>::add_detour_of_loads(const double detour, const double time)
+  Recorder<dim>::add_deviation_of_loads(const double deviation, const double time)
   {
-    verdict.add(check_detour_of_loads(detour), time);
+    verdict.add(check_deviation_of_loads(deviation), time);
   }
 
 
@@ -280,7 +280,7 @@ namespace Signorini
   template void Recorder<dim>::add_contact_geometry(std::optional<double>, bool);                  \
   template void Recorder<dim>::add_deformation(std::optional<double>, bool);                       \
   template void Recorder<dim>::add_path_error(std::optional<double>, double);                      \
-  template void Recorder<dim>::add_detour_of_loads(double, double);                                \
+  template void Recorder<dim>::add_deviation_of_loads(double, double);                             \
   template void Recorder<dim>::add_cycle(unsigned int, unsigned int, const Json &);                \
   template void Recorder<dim>::add_accuracy(const Json &,                                          \
                                             const ErrorControl &,                                  \

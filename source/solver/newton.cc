@@ -193,7 +193,7 @@ namespace Signorini
       report.reason = "Newton's method did not converge in " + std::to_string(n) +
                       " steps (Newton/Maximum steps)" + strategy.set().chattering_points() +
                       "; refine there, " +
-                      (law.augments()       ? "set Contact method/augmented Lagrangian/Scheme = auto, " :
+                      (law.augments() ? "set Contact method/augmented Lagrangian/Scheme = auto, " :
                        law.has_multiplier() ? "take smaller load steps, " :
                                               "reduce the penalty, ") +
                       "or choose another method";

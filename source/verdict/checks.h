@@ -28,9 +28,9 @@ namespace Signorini
   check_path_error(double error, double limit);
 
   /// @return the check that load steps follow the loads.
-  /// @param detour see Equilibrium::detour_of_loads()
+  /// @param deviation see Equilibrium::deviation_of_loads()
   std::vector<CheckResult>
-  check_detour_of_loads(double detour);
+  check_deviation_of_loads(double deviation);
 
   /// Extreme values of one body.
   struct Extremes

@@ -138,13 +138,13 @@ namespace Signorini
 
 
   std::vector<CheckResult>
-  check_detour_of_loads(const double detour)
+  check_deviation_of_loads(const double deviation)
   {
     CheckResult result;
     result.check   = "loads within a load step";
-    result.value   = detour;
+    result.value   = deviation;
     result.limit   = 0.1;
-    result.outcome = detour <= result.limit ? Outcome::passed : Outcome::warned;
+    result.outcome = deviation <= result.limit ? Outcome::passed : Outcome::warned;
     result.message =
       "supports or loads leave the straight way of the load step by that fraction of their largest values, or return "
       "on it: with friction, what they do there counts, and is left out";
