@@ -81,12 +81,7 @@ namespace Signorini
       check_result.advice = "set Load steps/Number = 10, and compare with 20";
       return check_result;
     }
-  } // namespace
 
-
-
-  namespace
-  {
     /// Check that the coefficient hardly changes by the slip of the load step, before which it is
     /// taken.
     CheckResult
@@ -122,17 +117,14 @@ namespace Signorini
   std::vector<CheckResult>
   check_path_error(const double error, const double limit)
   {
-    CheckResult result;
-    result.check   = "path error";
-    result.value   = error;
-    result.limit   = limit;
-    result.outcome = error <= limit ? Outcome::passed : Outcome::warned;
-    result.message =
-      "halving the load steps changes tangential tractions by that fraction of the largest ones, in "
-      "the sum of all load steps: results may be off by as much";
-    result.advice = "set a smaller Load steps/Path error, and more Cut-backs if load steps are as "
-                    "short as these allow";
-    return {result};
+    return {make_check_result(
+      "path error",
+      "",
+      error,
+      limit,
+      "halving the load steps changes tangential tractions, or the work of friction, by that fraction of the largest "
+      "ones, in the sum of all load steps: results may be off by as much",
+      "set a smaller Load steps/Path error, and more Cut-backs if load steps are as short as these allow")};
   }
 
 
@@ -140,16 +132,13 @@ namespace Signorini
   std::vector<CheckResult>
   check_deviation_of_loads(const double deviation)
   {
-    CheckResult result;
-    result.check   = "loads within a load step";
-    result.value   = deviation;
-    result.limit   = 0.1;
-    result.outcome = deviation <= result.limit ? Outcome::passed : Outcome::warned;
-    result.message =
+    return {make_check_result(
+      "loads within a load step",
+      "",
+      deviation,
+      0.1,
       "supports or loads leave the straight way of the load step by that fraction of their largest values, or return "
-      "on it: with friction, what they do there counts, and is left out";
-    result.advice = "let load steps end where directions change (Load steps/Times), take more of "
-                    "them, or set Load steps/Number = automatic";
-    return {result};
+      "on it: with friction, what they do there counts, and is left out",
+      "let load steps end where directions change (Load steps/Times), take more of them, or set Load steps/Number = automatic")};
   }
 } // namespace Signorini

@@ -24,7 +24,7 @@ namespace Signorini
   {
     CheckResult check_result;
     check_result.check   = check;
-    check_result.where   = "pair " + pair;
+    check_result.where   = pair.empty() ? "" : "pair " + pair;
     check_result.value   = value;
     check_result.limit   = limit;
     check_result.outcome = value <= limit ? Outcome::passed : Outcome::warned;

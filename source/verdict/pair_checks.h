@@ -65,9 +65,10 @@ namespace Signorini
                  double                        face_size,
                  unsigned int                  step);
 
-  /// @return the result of a check of a pair: passed up to the limit, otherwise a warning.
+  /// @return the result of a check, of a pair or of the whole load step: passed up to the limit,
+  /// otherwise a warning.
   /// @param check its name
-  /// @param pair name of the pair
+  /// @param pair name of the pair; may be empty
   /// @param value what was measured
   /// @param limit largest value that passes
   /// @param message what is wrong otherwise
