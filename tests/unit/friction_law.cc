@@ -200,9 +200,20 @@ TEST_CASE(
             CHECK(size == doctest::Approx(friction * at.traction[0]));
             CHECK(at.traction[1] * trial[1] + at.traction[2] * trial[2] > 0);
           }
-        LawVector kept = at.traction;
-        kept[0]        = 0;
+        const bool is_stress = shift == PressureShift::normal_stress;
+        LawVector  kept      = is_stress ? in.stress - at.traction : at.traction;
+        kept[0]              = 0;
+        if (status == ContactStatus::open)
+          kept = LawVector();
         CHECK((at.internal.vectors[0] - kept).norm() == 0);
+        // Without further slip the traction stays as it is, whatever slip the method has left.
+        if (status == ContactStatus::open || shift == PressureShift::last_pressure)
+          continue;
+        LawInput next = in;
+        next.internal = at.internal;
+        for (unsigned int a = 1; a < 3; ++a)
+          next.gap[a] = 0;
+        CHECK((law.response(0, next, ContactStatus::stick).traction - at.traction).norm() <= 1e-12);
       }
 }
 
