@@ -20,18 +20,6 @@ namespace Signorini
       const PointVectors nothing = law.gap_operator().zeros();
       return law.trial({nothing, nothing, state.traction, state.internal})[0].linfty_norm() > 0;
     }
-
-    /// The l2 norm over all components.
-    double
-    norm(const PointVectors &vectors)
-    {
-      if (vectors.size() == 1)
-        return vectors[0].l2_norm();
-      double square = 0;
-      for (const LA::Vector &component : vectors)
-        square += component.norm_sqr();
-      return std::sqrt(square);
-    }
   } // namespace
 
 

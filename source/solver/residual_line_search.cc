@@ -7,18 +7,21 @@ namespace Signorini
 {
   using namespace dealii;
 
+  double
+  norm(const PointVectors &vectors)
+  {
+    if (vectors.size() == 1)
+      return vectors[0].l2_norm();
+    double square = 0;
+    for (const LA::Vector &component : vectors)
+      square += component.norm_sqr();
+    return std::sqrt(square);
+  }
+
+
+
   namespace
   {
-    /// The square of the l2 norm over all components.
-    double
-    norm_square(const PointVectors &vectors)
-    {
-      double sum = 0;
-      for (const LA::Vector &component : vectors)
-        sum += component.norm_sqr();
-      return sum;
-    }
-
     /// The residual along a step, with the statuses that the law has there.
     class ResidualNorm
     {
@@ -62,7 +65,7 @@ namespace Signorini
           const LawInputs    in{gap, nothing, traction, start.contact.internal};
           const PointVectors rows = start.law.residual(in, start.law.status(start.law.trial(in)));
           // The equilibrium is linear in both unknowns.
-          return std::sqrt(std::pow((1 - a) * start.r.l2_norm(), 2) + norm_square(rows));
+          return std::hypot((1 - a) * start.r.l2_norm(), norm(rows));
         }
       LA::Vector at = start.u;
       at.add(a, step.block(0));
@@ -83,13 +86,13 @@ namespace Signorini
   residual_reducing_step(const LineSearchStart &start, const LA::BlockVector &step)
   {
     constexpr double   shorter = 0.7, shortest = 0.24;
-    const ResidualNorm norm(start, step);
-    const double       first = norm(0);
-    double             best = 1, least = norm(1);
+    const ResidualNorm residual(start, step);
+    const double       first = residual(0);
+    double             best = 1, least = residual(1);
     if (least <= first)
       return 1;
     for (double a = shorter; a >= shortest; a *= shorter)
-      if (const double here = norm(a); here < least)
+      if (const double here = residual(a); here < least)
         {
           best  = a;
           least = here;

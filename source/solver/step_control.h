@@ -7,6 +7,10 @@
 
 namespace Signorini
 {
+  /// The l2 norm over all components. Collective.
+  double
+  norm(const PointVectors &vectors);
+
   /// True if solutions minimise the energy (4.10) of the displacement: methods without multipliers
   /// with a symmetric system.
   bool
