@@ -31,6 +31,7 @@ namespace Signorini
     , last(contact.coefficients.bilateral)
     , changes(contact.zero())
     , turns(contact.zero())
+    , advances(contact.n_pairs(), 0)
     , n_bilateral(count(contact.coefficients.bilateral))
   {}
 
@@ -43,6 +44,7 @@ namespace Signorini
     history.clear();
     changes = 0.;
     turns   = 0.;
+    std::fill(advances.begin(), advances.end(), 0);
   }
 
 

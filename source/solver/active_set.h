@@ -81,6 +81,13 @@ namespace Signorini
     void
     spread_slip(const PointVectors &trial, PointVectors &traction);
 
+    /// Let points that begin to slip take their neighbours along, where that has gone on for
+    /// several steps in a pair without others that return (doc/theory, 4.5). Collective.
+    /// @param trial traction of the law
+    /// @param traction of the points; at the neighbours set to the bound
+    void
+    hasten_slip(const PointVectors &trial, PointVectors &traction);
+
     /// Let the points that close stick for this step, where there is friction. Collective.
     void
     stick_where_closing();
@@ -168,6 +175,9 @@ namespace Signorini
     LA::Vector         now, last, changes;
     // How often tractions have turned since restart() or since the points stuck.
     LA::Vector turns;
+    // For each pair in how many successive steps points have begun to slip without others that
+    // returned.
+    std::vector<unsigned int> advances;
     // Number of bilateral points on all ranks.
     const unsigned int n_bilateral;
     // Hash values of the sets since restart().

@@ -122,6 +122,8 @@ namespace Signorini
         active_set.stick_where_traction_turns(trial, in.traction);
         if (n > 0 && n <= patience)
           active_set.spread_slip(trial, traction);
+        if (n > 0 && !globalised)
+          active_set.hasten_slip(trial, traction);
         // Where too many have been let go before, a few at a time.
         if (n_holds > 0)
           active_set.slip_most_loaded(trial);

@@ -10,6 +10,52 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// How points with friction have changed in a step; refers to the arguments.
+    struct SlipChanges
+    {
+      const GapOperator &contact;
+      const LA::Vector  &now, &last;
+
+      bool
+      sticks(const types::global_dof_index i) const
+      {
+        return is(now, i, ContactStatus::stick);
+      }
+
+      /// From stick to slip.
+      bool
+      begins(const types::global_dof_index i) const
+      {
+        return is(now, i, ContactStatus::slip) && is(last, i, ContactStatus::stick);
+      }
+
+      /// From slip to stick, or to slip against the traction.
+      bool
+      returns(const types::global_dof_index i,
+              const PointVectors           &trial,
+              const PointVectors           &traction) const
+      {
+        if (!is(last, i, ContactStatus::slip) || !is_closed(now(i)))
+          return false;
+        double along = 0;
+        for (unsigned int a = 1; a < trial.size(); ++a)
+          along += trial[a](i) * traction[a](i);
+        return sticks(i) || along < 0;
+      }
+
+    private:
+      bool
+      is(const LA::Vector &status, const types::global_dof_index i, const ContactStatus one) const
+      {
+        return status_of(status(i)) == one && contact.coefficients.friction(i) > 0;
+      }
+    };
+  } // namespace
+
+
+
   // In a thin body the points beside those that begin to slip take over what these lose, one after
   // the other, each up to its own bound. In a bar that a force P pulls along a foundation slip
   // reaches P/b, with the bound b per length (shear-lag theory). It spreads by rings of neighbours:
@@ -22,9 +68,7 @@ namespace Signorini
     const MPI_Comm      comm       = now.get_mpi_communicator();
     const unsigned int  n_pairs    = contact.n_pairs();
     const TrialFriction friction{contact, trial};
-    const auto          has = [&](const LA::Vector &status, const auto i, const ContactStatus one) {
-      return status_of(status(i)) == one && contact.coefficients.friction(i) > 0;
-    };
+    const SlipChanges   slip{contact, now, last};
     // The force beyond the bounds at the points that begin to slip, a vector for each pair; and how
     // many points of the pair return.
     const unsigned int               dim = contact.geometry.position.size();
@@ -32,20 +76,13 @@ namespace Signorini
     std::vector<double>              returning(n_pairs, 0.);
     LA::Vector                       inside = contact.zero();
     contact.for_each_point([&](const auto i, const unsigned int p) {
-      if (has(now, i, ContactStatus::slip) && has(last, i, ContactStatus::stick))
-        {
-          inside(i)           = 1;
-          const double excess = contact.weight(i) * (1 - friction.bound(i) / friction.size(i));
-          for (unsigned int d = 0; d < dim; ++d)
-            direction[p][d] += excess * friction.in_space(i, d);
-        }
-      if (!has(last, i, ContactStatus::slip))
+      returning[p] += slip.returns(i, trial, traction);
+      if (!slip.begins(i))
         return;
-      double turns = 0;
-      for (unsigned int a = 1; a < trial.size(); ++a)
-        turns += trial[a](i) * traction[a](i);
-      returning[p] +=
-        has(now, i, ContactStatus::stick) || (has(now, i, ContactStatus::slip) && turns < 0);
+      inside(i)           = 1;
+      const double excess = contact.weight(i) * (1 - friction.bound(i) / friction.size(i));
+      for (unsigned int d = 0; d < dim; ++d)
+        direction[p][d] += excess * friction.in_space(i, d);
     });
     inside.compress(VectorOperation::insert);
     Utilities::MPI::sum(returning, comm, returning);
@@ -63,7 +100,7 @@ namespace Signorini
     // What sticking points can bear in addition.
     const auto for_sticking = [&](const auto &act) {
       contact.for_each_point([&](const auto i, const unsigned int p) {
-        if (excess[p] > 0 && has(now, i, ContactStatus::stick))
+        if (excess[p] > 0 && slip.sticks(i))
           act(i, p);
       });
     };
@@ -106,6 +143,56 @@ namespace Signorini
         for (LA::Vector &component : traction)
           component.compress(VectorOperation::insert);
         inside = grown;
+      }
+  }
+
+
+
+  // Where traction has a peak, slip advances by one point a step: only the outermost point that
+  // sticks is beyond its bound. After some such steps of a pair the front moves by 1, 2, 4, ...
+  // further rings of neighbours in a step, until points of the pair return; what went too far
+  // returns by the law.
+  void
+  ActiveSet::hasten_slip(const PointVectors &trial, PointVectors &traction)
+  {
+    constexpr unsigned int n_single = 3, most_doublings = 6;
+    const unsigned int     n_pairs = contact.n_pairs();
+    const TrialFriction    friction{contact, trial};
+    const SlipChanges      slip{contact, now, last};
+    std::vector<double>    beginning(n_pairs, 0.), returning(n_pairs, 0.);
+    LA::Vector             front = contact.zero();
+    contact.for_each_point([&](const auto i, const unsigned int p) {
+      front(i) = slip.begins(i);
+      beginning[p] += slip.begins(i);
+      returning[p] += slip.returns(i, trial, traction);
+    });
+    front.compress(VectorOperation::insert);
+    Utilities::MPI::sum(beginning, now.get_mpi_communicator(), beginning);
+    Utilities::MPI::sum(returning, now.get_mpi_communicator(), returning);
+    std::vector<unsigned int> n_rings(n_pairs, 0);
+    for (unsigned int p = 0; p < n_pairs; ++p)
+      {
+        advances[p] = beginning[p] > 0 && returning[p] == 0 ? advances[p] + 1 : 0;
+        if (advances[p] > n_single)
+          n_rings[p] = 1u << std::min(advances[p] - n_single - 1, most_doublings);
+      }
+    for (unsigned int ring = 0; ring < *std::max_element(n_rings.begin(), n_rings.end()); ++ring)
+      {
+        const LA::Vector grown = contact.origin.regions.with_neighbours(front);
+        contact.for_each_point([&](const auto i, const unsigned int p) {
+          // Points that bear less than half of what they may are not next.
+          if (ring < n_rings[p] && grown(i) > 0 && front(i) == 0 && slip.sticks(i) &&
+              friction.size(i) > 0.5 * friction.bound(i))
+            {
+              now(i) = static_cast<double>(ContactStatus::slip);
+              for (unsigned int a = 1; a < trial.size(); ++a)
+                traction[a](i) = friction.bound(i) / friction.size(i) * trial[a](i);
+            }
+        });
+        now.compress(VectorOperation::insert);
+        for (LA::Vector &component : traction)
+          component.compress(VectorOperation::insert);
+        front = grown;
       }
   }
 } // namespace Signorini
