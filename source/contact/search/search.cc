@@ -106,12 +106,14 @@ namespace Signorini
     // vector from one to the other points against the normals: (b - a).(n_b - n_a) > 0 means that
     // the body is between them. The bound is not zero since in a sheet that is rolled up the vector
     // between touching layers has a small component of that sign (the thickness over the length of
-    // a turn). Points closer than two faces are neighbours.
-    constexpr double     inward = 0.3;
+    // a turn). Points closer than two faces are neighbours, unless they face each other across a
+    // narrow gap: with nearly opposite normals, and nothing of the body between them.
+    constexpr double     inward = 0.3, across = 0.5;
     const Tensor<1, dim> way    = b.x - a.x;
-    const double         length = way.norm();
-    return a.piece == b.piece &&
-           (length <= 2 * width || way * (b.normal - a.normal) > 2 * inward * length);
+    const double         length = way.norm(), into_body = way * (b.normal - a.normal) / 2;
+    const bool           is_near = length <= 2 * width,
+               faces_other       = a.normal * b.normal < -across && into_body < -across * length;
+    return a.piece == b.piece && (is_near ? !faces_other : into_body > inward * length);
   }
 
 
