@@ -420,6 +420,31 @@ TEST_CASE("import: kinds of friction")
     CHECK(mu.bound({}, 0, 1000, 0) == doctest::Approx(30));
     CHECK(messages.find("FRICTION") == std::string::npos);
   }
+  {
+    // One coefficient, although there is a slope or a rate in all lines.
+    const TemporaryFile file(with("*FRICTION, DEPENDENCIES=0\n0.6, 2., 0.\n0.1, 2., 20.\n"),
+                             ".inp");
+    const auto [text, messages] = imported(file.path);
+    const auto mu               = checked<2>(text).pairs[0].friction;
+    CHECK(mu.value({}, 0, 10, 0) == doctest::Approx(0.35));
+    CHECK(messages.find("FRICTION") == std::string::npos);
+  }
+  {
+    const TemporaryFile file(with("*FRICTION\n0.6, 0., 0.\n0.1, 1., 0.\n"), ".inp");
+    const auto [text, messages] = imported(file.path);
+    CHECK(checked<2>(text).pairs[0].friction.mu.text == "0.6");
+    says(messages, "not imported: pair: *FRICTION (its dependence on slip rate");
+  }
+  {
+    const TemporaryFile file(with("*FRICTION\n0.3, , , 20.\n"), ".inp");
+    const auto [text, messages] = imported(file.path);
+    CHECK(checked<2>(text).pairs[0].friction.mu.text == "0.3");
+    CHECK(messages.find("FRICTION") == std::string::npos);
+  }
+  {
+    const TemporaryFile file(with("*FRICTION\n0.3\n0.1\n"), ".inp");
+    CHECK_THROWS_AS(imported(file.path), SceneError);
+  }
   for (const std::string kind : {"*FRICTION, USER\n", "*FRICTION, ANISOTROPIC\n0.3, 0.1\n"})
     {
       CAPTURE(kind);

@@ -80,8 +80,9 @@ namespace Signorini
         model.lacks_supports = true;
         return;
       }
+    const bool by_fields = in.has("DEPENDENCIES") && number({in.value("DEPENDENCIES")}, 0) > 0;
     for (const char *option : {"USER", "ANISOTROPIC", "DEPENDENCIES"})
-      if (in.has(option))
+      if (std::string(option) == "DEPENDENCIES" ? by_fields : in.has(option))
         {
           skip_item(std::string(option) + "; contact is without friction");
           model.lacks_supports = true;
@@ -103,29 +104,39 @@ namespace Signorini
       in.fail("*FRICTION needs a coefficient");
     if (number(lines[0], 0) < 0)
       in.fail("*FRICTION has a negative coefficient");
-    const auto has_word = [](const Words &words, const unsigned int i) {
-      return words.size() > i && !words[i].empty();
-    };
-    one.friction        = long_text(number(lines[0], 0));
-    bool        by_rate = false, by_pressure = lines.size() > 1, by_temperature = false;
-    std::string points = "table(pressure";
-    for (const Words &words : lines)
-      {
-        by_rate |= has_word(words, 1);
-        by_temperature |= has_word(words, 3);
-        by_pressure &= has_word(words, 2);
-        if (by_pressure)
-          points +=
-            ", " + long_text(number(words, 2)) + ", " + long_text(std::max(0., number(words, 0)));
-      }
+    one.friction = long_text(number(lines[0], 0));
     if (in.has("EXPONENTIAL DECAY"))
-      skip_item("the decay with the slip rate, the static coefficient counts");
-    else if (lines.size() == 1 && by_rate)
-      skip_item("the stick slope or slip rate, since sticking is exact");
-    else if (by_rate || by_temperature || (lines.size() > 1 && !by_pressure))
+      {
+        skip_item("the decay with the slip rate, the static coefficient counts");
+        return;
+      }
+    // The numbers of a line; blank ones are zero, as in Abaqus.
+    const auto entry = [&](const Words &words, const unsigned int i) {
+      return words.size() > i && !words[i].empty() ? number(words, i) : 0.;
+    };
+    if (lines.size() == 1 && entry(lines[0], 1) != 0)
+      model.skip_item("*FRICTION (the stick slope or slip rate, since sticking is exact)",
+                      in.current_position(),
+                      "model");
+    // Only what differs between lines is a dependence.
+    const auto differs = [&](const unsigned int i) {
+      return std::any_of(lines.begin(), lines.end(), [&](const Words &words) {
+        return entry(words, i) != entry(lines[0], i);
+      });
+    };
+    if (differs(1) || differs(3))
       skip_item("its dependence on slip rate or temperature, the first coefficient counts");
-    else if (by_pressure)
-      one.friction = points + ")";
+    else if (differs(2))
+      {
+        one.friction = "table(pressure";
+        for (const Words &words : lines)
+          one.friction +=
+            ", " + long_text(entry(words, 2)) + ", " + long_text(std::max(0., entry(words, 0)));
+        one.friction += ")";
+      }
+    else if (lines.size() > 1 && differs(0))
+      in.fail(
+        "*FRICTION has several coefficients for the same slip rate, pressure and temperature");
   }
 
 
