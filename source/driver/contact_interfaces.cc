@@ -307,7 +307,9 @@ namespace Signorini
     coefficients.bound_of = nullptr;
     if (is_nonlinear)
       coefficients.bound_of = [this, t, slip, position, pair_of](const auto i, const double p) {
-        return decisions.pairs[pair_of.at(i)].friction.bound(position(i), t, p, slip(i));
+        const double ratio = contact->coefficients.area_ratio(i);
+        return ratio *
+               decisions.pairs[pair_of.at(i)].friction.bound(position(i), t, p / ratio, slip(i));
       };
   }
 
@@ -334,7 +336,10 @@ namespace Signorini
     unsigned int wrong = 0; // one more than the number of a pair
     contact->for_each_point([&](const auto i, const unsigned int pair) {
       if (!std::isfinite(decisions.pairs[pair].friction.value(
-            position_of(i), t, std::max(0., double(pressure(i))), slip_path(internal, i))))
+            position_of(i),
+            t,
+            std::max(0., pressure(i) / contact->coefficients.area_ratio(i)),
+            slip_path(internal, i))))
         wrong = pair + 1;
     });
     wrong = Utilities::MPI::max(wrong, elasticity.mesh().communicator());

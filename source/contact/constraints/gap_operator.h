@@ -29,13 +29,16 @@ namespace Signorini
   {
     LA::Vector bilateral; ///< 1 at points of pairs without separation, else 0
     LA::Vector stiffness; ///< E/h [force/length^3]
+    /// Current area per reference area, to which tractions refer; 1 at small strain.
+    LA::Vector area_ratio;
     /// Penalty of the contact law, ContactMethod::penalty() times Decisions::penalty_factor
     /// [force/length^3].
     LA::Vector epsilon;
     /// The friction coefficient mu at the present time, where bound_of is null; else any positive
     /// number where there is friction, and zero where there is none.
     LA::Vector friction;
-    /// The bound of the tangential traction by point and positive pressure, if it is not mu p.
+    /// The bound of the tangential traction by point and positive pressure, if it is not mu p. Both
+    /// per reference area, while the user's formula is that of true pressures and stresses.
     std::function<double(dealii::types::global_dof_index, double)> bound_of;
 
     /// The bound of the tangential traction [force/length^2], and its derivative by the pressure.

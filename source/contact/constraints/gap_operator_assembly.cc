@@ -155,6 +155,7 @@ namespace Signorini
       contact.weight.reinit(rows.owned, comm);
       contact.reference_gap.reinit(contact.weight);
       contact.coefficients.stiffness.reinit(contact.weight);
+      contact.coefficients.area_ratio.reinit(contact.weight);
       contact.coefficients.bilateral.reinit(contact.weight);
       contact.coefficients.friction.reinit(contact.weight);
       contact.coefficients.epsilon.reinit(contact.weight);
@@ -186,6 +187,7 @@ namespace Signorini
                 if (moved)
                   contact.moved.gap_offset(row) += weight * point.gap_offset;
                 contact.coefficients.stiffness(row) += weight * point.stiffness;
+                contact.coefficients.area_ratio(row) += weight * point.stretch;
                 contact.coefficients.epsilon(row) += weight * epsilon;
                 for (unsigned int d = 0; d < dim; ++d)
                   {
@@ -250,6 +252,7 @@ namespace Signorini
 
       std::vector<LA::Vector *> means = {&contact.reference_gap,
                                          &contact.coefficients.stiffness,
+                                         &contact.coefficients.area_ratio,
                                          &contact.coefficients.epsilon};
       if (contact.moved.gap_offset.size() > 0)
         means.push_back(&contact.moved.gap_offset);
