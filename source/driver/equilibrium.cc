@@ -94,6 +94,7 @@ namespace Signorini
             active,
             contact_state,
             at.friction_work,
+            at.start.friction_bound,
             at.time,
             step};
   }
@@ -219,8 +220,14 @@ namespace Signorini
     const State before = state;
     if (t > state.time && is_path_dependent())
       {
-        state.start = {
-          state.displacement, state.contact, state.material, t - state.time, state.friction_work};
+        if (state.friction_bound.empty() && starts_unloaded())
+          state.friction_bound.assign(decisions.pairs.size(), 0.);
+        state.start = {state.displacement,
+                       state.contact,
+                       state.material,
+                       t - state.time,
+                       state.friction_work,
+                       state.friction_bound};
         configuration_solver.start_step();
       }
     try
@@ -243,7 +250,11 @@ namespace Signorini
             gap    = contact.gap_operator().gap(state.displacement);
             active = closed_points(configuration_solver.contact_state().status);
             if (scene.contact.chosen().has_friction)
-              state.friction_work = work_of_friction(snapshot(0), state.start.friction_work);
+              {
+                const Snapshot<dim> now = snapshot(0);
+                state.friction_work     = work_of_friction(now, state.start.friction_work);
+                state.friction_bound    = bound_of_friction(now);
+              }
             return true;
           }
       }

@@ -129,6 +129,10 @@ namespace Signorini
     /// Those at a time. Sets largest_loads; leaves the time of the bodies there. Collective.
     Loading
     loading_at(double t);
+    /// True if nothing acts on the bodies at the time of the state: no loads, no prescribed
+    /// displacements, and no overlaps with each other or with obstacles. Collective.
+    bool
+    starts_unloaded();
     /// The largest entry relative to largest_loads.
     double
     relative_size(const Loading &loading) const;

@@ -206,17 +206,19 @@ namespace Signorini
       return result;
     };
     State there;
-    there.displacement  = displacement(part.displacement, "rigid_motion");
-    there.contact       = field_of(part.contact, dim);
-    there.time          = head.at("state_time");
-    there.friction_work = head.at("friction_work").get<std::vector<double>>();
+    there.displacement   = displacement(part.displacement, "rigid_motion");
+    there.contact        = field_of(part.contact, dim);
+    there.time           = head.at("state_time");
+    there.friction_work  = head.at("friction_work").get<std::vector<double>>();
+    there.friction_bound = head.at("friction_bound").get<std::vector<double>>();
     // Only runs whose solution depends on the path have a start of the load step.
     if (head.contains("rigid_motion_at_start"))
       there.start = {displacement(part.start_displacement, "rigid_motion_at_start"),
                      field_of(part.start_contact, dim),
                      part.start_material,
                      head.at("duration"),
-                     head.at("friction_work_at_start")};
+                     head.at("friction_work_at_start"),
+                     head.at("friction_bound_at_start")};
     there.material = part.material;
     problem.equilibrium->set_state(there, head.at("follows"));
     problem.former_cycles  = head.at("multigrid_cycles");
@@ -249,6 +251,7 @@ namespace Signorini
                    position.path.spent.work}},
                  {"state_time", problem.state.time},
                  {"friction_work", problem.state.friction_work},
+                 {"friction_bound", problem.state.friction_bound},
                  {"follows", problem.equilibrium->uses_current_geometry()},
                  {"tolerance", refinement.tolerance},
                  {"decisions", problem.decisions.save()},
@@ -260,8 +263,9 @@ namespace Signorini
       {
         head["rigid_motion_at_start"] =
           problem.elasticity->rigid_motion(problem.state.start.displacement);
-        head["duration"]               = problem.state.start.duration;
-        head["friction_work_at_start"] = problem.state.start.friction_work;
+        head["duration"]                = problem.state.start.duration;
+        head["friction_work_at_start"]  = problem.state.start.friction_work;
+        head["friction_bound_at_start"] = problem.state.start.friction_bound;
       }
     last = Passed{problem.state, head};
     if (position.cycle + position.step == 0 || std::exchange(my_is_restored, false) || is_finished)

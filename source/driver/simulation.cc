@@ -269,6 +269,7 @@ namespace Signorini
                               nothing.status,
                               nothing,
                               problem.state.friction_work,
+                              problem.state.start.friction_bound,
                               scene.load_steps.ends().front(),
                               0};
     Json                step =

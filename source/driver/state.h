@@ -15,8 +15,8 @@ namespace Signorini
     SurfaceField  contact;
     CellVariables material;
     double        duration = 0; ///< of the load step
-    /// The work of friction so far, see State.
-    std::vector<double> friction_work;
+    /// The work of friction so far, see State, and the bound of friction there.
+    std::vector<double> friction_work, friction_bound;
   };
 
   /// The state of a simulation: all that the next load step starts from.
@@ -32,6 +32,9 @@ namespace Signorini
     /// The work that friction has taken from the bodies so far, of each pair with contact points
     /// [force*length]; empty: none. Points that have left the contact are part of it.
     std::vector<double> friction_work;
+    /// The sum of the bounds of tangential forces over the points in contact, of each pair [force];
+    /// empty: unknown.
+    std::vector<double> friction_bound;
   };
 
   /// Scatter the values of all contact points to a surface field. Collective.

@@ -147,6 +147,28 @@ namespace Signorini
 
 
 
+  // Moving obstacles are prescribed displacements as well. Where gaps are formulas in time, it is
+  // not known.
+  template <int dim>
+  bool
+  Equilibrium<dim>::starts_unloaded()
+  {
+    const double   now     = elasticity.time();
+    const bool     is_free = relative_size(loading_at(state.time)) == 0;
+    const MPI_Comm comm    = elasticity.mesh().communicator();
+    elasticity.set_time(now);
+    double least = 0;
+    for (const double one : contact.gap_operator().gap(state.displacement))
+      least = std::min(least, one);
+    constexpr double rounding = 1e-12;
+    return is_free && Utilities::MPI::min(least, comm) >= -rounding * elasticity.mesh().size() &&
+           std::none_of(decisions.pairs.begin(), decisions.pairs.end(), [](const auto &pair) {
+             return pair.gap_depends_on_time();
+           });
+  }
+
+
+
   // Sampled at quarters of the step.
   template <int dim>
   double
@@ -272,6 +294,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template double Equilibrium<dim>::turn_of_loads(double, double);                                 \
   template double Equilibrium<dim>::deviation_of_loads(double, double);                            \
+  template bool   Equilibrium<dim>::starts_unloaded();                                             \
   template bool   Equilibrium<dim>::may_follow_turns() const;                                      \
   template double Equilibrium<dim>::relative_turn_since(const LA::Vector &);                       \
   template double Equilibrium<dim>::turn_of_obstacles(double);

@@ -145,11 +145,12 @@ namespace Signorini
           status_of(s.contact_state.status(i)) != ContactStatus::slip)
         return;
       const double pressure = s.contact_state.traction[0](i),
+                   ratio    = s.contact.coefficients.area_ratio(i),
                    before   = s.contact.coefficients.friction_bound(i, pressure).value;
       Point<dim> x;
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = s.contact.geometry.position[d](i);
-      const double after = friction.bound(x, s.time, pressure, path[1](i));
+      const double after = ratio * friction.bound(x, s.time, pressure / ratio, path[1](i));
       if (before > 0)
         result(i) = std::isfinite(after) ? after / before : 0.;
     });
@@ -196,6 +197,33 @@ namespace Signorini
   // since its start, also where a point is open at the end.
   template <int dim>
   std::vector<double>
+  bound_of_friction(const Snapshot<dim> &s)
+  {
+    std::vector<double> result(s.pairs.size(), 0.);
+    s.contact.for_each_point([&](const auto i, const unsigned int pair) {
+      if (is_closed(s.contact_state.status(i)))
+        result[pair] +=
+          s.contact.weight(i) *
+          s.contact.coefficients.friction_bound(i, s.contact_state.traction[0](i)).value;
+    });
+    Utilities::MPI::sum(result, s.elasticity.mesh().communicator(), result);
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  relative_mean_bound(const Snapshot<dim> &s, const unsigned int pair, const double bound)
+  {
+    const std::vector<double> &before = s.friction_bound_at_start;
+    return before.empty() || bound <= 0 ? 1. : 0.5 * (1 + before[pair] / bound);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
   work_of_friction(const Snapshot<dim> &s, const std::vector<double> &before)
   {
     std::vector<double> result(s.pairs.size(), 0.);
@@ -207,8 +235,10 @@ namespace Signorini
           s.contact.weight(i) * (last[0](i) - (first.empty() ? 0. : double(first[0](i))));
       });
     Utilities::MPI::sum(result, s.elasticity.mesh().communicator(), result);
-    for (unsigned int p = 0; p < before.size(); ++p)
-      result[p] += before[p];
+    const std::vector<double> bounds = bound_of_friction(s);
+    for (unsigned int p = 0; p < result.size(); ++p)
+      result[p] =
+        relative_mean_bound(s, p, bounds[p]) * result[p] + (before.empty() ? 0. : before[p]);
     return result;
   }
 
@@ -231,17 +261,19 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                           \
-  template std::vector<LA::Vector> in_space(const Snapshot<dim> &, const PointVectors &);          \
-  template std::vector<LA::Vector> tangential_traction(const Snapshot<dim> &, unsigned int);       \
-  template std::vector<LA::Vector> slip_since_contact(const Snapshot<dim> &, unsigned int);        \
-  template PointVectors            slip_at_points(const Snapshot<dim> &);                          \
-  template ContactPatch            stick_zone(const Snapshot<dim> &, unsigned int);                \
-  template LA::Vector              ratio_of_friction(const Snapshot<dim> &);                       \
-  template double                  change_of_friction(const Snapshot<dim> &, unsigned int);        \
-  template std::vector<LA::Vector> tractions_of_path(const Snapshot<dim> &);                       \
-  template std::vector<double>     work_of_friction(const Snapshot<dim> &,                         \
-                                                    const std::vector<double> &);                  \
+#define INSTANTIATE(dim)                                                                             \
+  template std::vector<LA::Vector> in_space(const Snapshot<dim> &, const PointVectors &);            \
+  template std::vector<LA::Vector> tangential_traction(const Snapshot<dim> &, unsigned int);         \
+  template std::vector<LA::Vector> slip_since_contact(const Snapshot<dim> &, unsigned int);          \
+  template PointVectors            slip_at_points(const Snapshot<dim> &);                            \
+  template ContactPatch            stick_zone(const Snapshot<dim> &, unsigned int);                  \
+  template LA::Vector              ratio_of_friction(const Snapshot<dim> &);                         \
+  template double                  change_of_friction(const Snapshot<dim> &, unsigned int);          \
+  template std::vector<LA::Vector> tractions_of_path(const Snapshot<dim> &);                         \
+  template std::vector<double>     bound_of_friction(const Snapshot<dim> &);                         \
+  template double                  relative_mean_bound(const Snapshot<dim> &, unsigned int, double); \
+  template std::vector<double>     work_of_friction(const Snapshot<dim> &,                           \
+                                                    const std::vector<double> &);                    \
   template bool                    has_tangential_forces(const Snapshot<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

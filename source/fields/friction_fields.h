@@ -84,8 +84,22 @@ namespace Signorini
   std::vector<LA::Vector>
   tractions_of_path(const Snapshot<dim> &snapshot);
 
+  /// @return the sum of the bounds of tangential forces over the points of each pair that are in
+  /// contact [force]. Collective.
+  template <int dim>
+  std::vector<double>
+  bound_of_friction(const Snapshot<dim> &s);
+
+  /// @return the mean of the bounds of friction of a pair before and after the load step, relative
+  /// to the latter; 1 if the former is unknown.
+  /// @param bound after the load step [force]
+  template <int dim>
+  double
+  relative_mean_bound(const Snapshot<dim> &s, unsigned int pair, double bound);
+
   /// @return the work that friction has taken from the bodies by the end of the load step, of each
-  /// pair [force*length]. Collective.
+  /// pair [force*length]. That of the load step is made by the mean of the bounds before and after
+  /// it (doc/theory, (2.30)). Collective.
   /// @param s the solution
   /// @param before the work by its start; may be empty
   template <int dim>

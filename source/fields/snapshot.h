@@ -27,6 +27,8 @@ namespace Signorini
     const ContactState &contact_state;
     /// Of each pair, see State; may be empty.
     const std::vector<double> &friction_work;
+    /// The bound of friction of each pair at the start of the load step, see State; empty: unknown.
+    const std::vector<double> &friction_bound_at_start;
     double                     time;
     unsigned int               step;
     /// Results of recovered_pressure() by pair. Copies share them.

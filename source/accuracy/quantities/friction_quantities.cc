@@ -182,8 +182,9 @@ namespace Signorini
 
 
 
-  // The work of a load step at a point is -t.s times its area, with the slip s of that step. Of
-  // compliant methods s is taken with its elastic part.
+  // The work of a load step is m sum W (-t.s), with the areas W of the points, their slip s in that
+  // step, and m = (1 + R_n/R)/2 by the bounds R_n and R of the pair before and after it. As R_n is
+  // given, dm = -R_n/(2 R^2) dR. Of compliant methods s is taken with its elastic part.
   template <int dim>
   Functional
   friction_work(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
@@ -195,9 +196,10 @@ namespace Signorini
     const PointVectors &t    = s.contact_state.traction;
     const PointVectors  gaps = s.contact.gaps(s.displacement);
     PointVectors        of_slip(gaps.size(), s.contact.zero());
-    double              missed = 0;
+    const double bound = bound_of_friction(s)[pair], mean = relative_mean_bound(s, pair, bound);
+    double       missed = 0, done = 0;
     for_rows<dim>(s, pair, [&](const auto i) {
-      const double weight = s.contact.weight(i);
+      const double weight = mean * s.contact.weight(i);
       missed += weight * length_at(t, i, 1) * missed_slip(s, i);
       if (status_of(s.contact_state.status(i)) != ContactStatus::slip)
         return;
@@ -205,8 +207,16 @@ namespace Signorini
         {
           result.of_traction[a](i) = -weight * gaps[a](i);
           of_slip[a](i)            = -weight * t[a](i);
+          done -= s.contact.weight(i) * t[a](i) * gaps[a](i);
         }
     });
+    done = Utilities::MPI::sum(done, s.elasticity.mesh().communicator());
+    if (bound > 0)
+      for_rows<dim>(s, pair, [&](const auto i) {
+        if (is_closed(s.contact_state.status(i)))
+          result.of_traction[0](i) = -(mean - 0.5) * done / bound * s.contact.weight(i) *
+                                     s.contact.coefficients.friction_bound(i, t[0](i)).by_pressure;
+      });
     compress(result);
     for (unsigned int a = 1; a < gaps.size(); ++a)
       {
