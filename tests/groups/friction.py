@@ -175,9 +175,20 @@ def rotation(test):
     test.check("rotation / strain" in small and "rotation / strain" not in finite, f"warned of {small} and {finite}")
 
 
+def work(test):
+    """In one load step work is exact: pressure and slip that grow together, and pressure that is there before. The slip is 0.2 - 0.06."""
+    full = 8 * 3 * 0.14
+    for what, pressed, ground, times, exact in (("together", "min(t,1)", "0.2*t", "1", full / 2), ("from the start", "1", "0.2*t", "1", full),
+                                                ("before", "min(t,1)", "0.2*max(t-1,0)", "1,2", full)):
+        for method in ("Lagrange multiplier", "penalty", "Nitsche"):
+            results = layer(test, [f"Definitions/pressed={pressed}", f"Definitions/ground={ground}", f"Load steps/Times={times}"], method)
+            found = number(results, "pairs/foot/total_friction_work")
+            test.check(math.isclose(found, exact, rel_tol=1e-3), f"pressed {what}, {method}: the work is {found:.6g} instead of {exact:.6g}")
+
+
 def cases():
     for body in (bar, rest, stack):
         yield Case("friction/newton", body.__name__, body)
     yield Case("friction/steps", "rotation", rotation)
-    for body in (falling, stick, zero_pressure, detours, pieces):
+    for body in (falling, stick, zero_pressure, detours, pieces, work):
         yield Case("friction/steps", body.__name__.replace("_", "-"), body)
