@@ -390,11 +390,10 @@ namespace Signorini
       end.reason +=
         "; load steps down to " + short_text(shortest_tried) +
         " were tried from t = " + short_text(problem.state.time, digits) +
-        ": where contact slides off a corner or an edge, or a snap fit releases, no neighbouring "
-        "equilibrium exists, and no load step is small enough" +
         (problem.state.time > 0 ?
-           "; set Load steps/End time = " + short_text(problem.state.time, digits) +
-             " to obtain the solution up to there" :
+           ": where contact slides off a corner or an edge, or a snap fit releases, no neighbouring "
+           "equilibrium exists, and no load step is small enough; set Load steps/End time = " +
+             short_text(problem.state.time, digits) + " to obtain the solution up to there" :
            "");
     recorder->add_sizes(*problem.elasticity,
                         problem.contact->surfaces(),

@@ -41,6 +41,8 @@ namespace Signorini
     double gradient = 0;
     /// Largest rotation there [radian].
     double largest_rotation = 0;
+    /// The mean rotation, by volume [radian].
+    double mean_rotation = 0;
     /// Largest norm of the strain, the symmetric part of the gradient, there.
     double strain = 0;
   };

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "fields/friction_fields.h"
 #include "verdict/checks.h"
+#include "verdict/pair_checks.h"
 #include <signorini/base/text.h>
 #include <signorini/solid/model.h>
 
@@ -23,11 +25,14 @@ namespace Signorini
     hp::FEValues<dim>                values_of(elasticity.mesh().mappings(),
                                 elasticity.finite_elements(),
                                 hp::QCollection<dim>(QMidpoint<dim>()),
-                                update_values | update_gradients | update_quadrature_points);
+                                update_values | update_gradients | update_quadrature_points |
+                                  update_JxW_values);
     const FEValuesExtractors::Vector displacement(0);
     std::vector<Tensor<1, dim>>      u(1);
     std::vector<Tensor<2, dim>>      gradient(1);
     std::vector<Extremes>            largest(elasticity.mesh().n_bodies());
+    std::vector<Tensor<2, dim>>      rotations(largest.size()); // times volume
+    std::vector<double>              volumes(largest.size(), 0.);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -47,12 +52,18 @@ namespace Signorini
           const Tensor<2, dim> rotation = (gradient[0] - transpose(gradient[0])) / 2;
           of_body.largest_rotation =
             std::max(of_body.largest_rotation, rotation.norm() / std::sqrt(2));
+          rotations[elasticity.mesh().body(cell)] += values.JxW(0) * rotation;
+          volumes[elasticity.mesh().body(cell)] += values.JxW(0);
           of_body.strain =
             std::max(of_body.strain, std::sqrt(std::max(0., square - rotation.norm_square())));
         }
     const MPI_Comm comm = elasticity.mesh().communicator();
-    for (Extremes &of_body : largest)
+    Utilities::MPI::sum(volumes, comm, volumes);
+    for (unsigned int body = 0; body < largest.size(); ++body)
       {
+        Extremes &of_body = largest[body];
+        of_body.mean_rotation =
+          Utilities::MPI::sum(rotations[body], comm).norm() / (std::sqrt(2) * volumes[body]);
         of_body.motion           = Utilities::MPI::max(of_body.motion, comm);
         of_body.gradient         = Utilities::MPI::max(of_body.gradient, comm);
         of_body.largest_rotation = Utilities::MPI::max(of_body.largest_rotation, comm);
@@ -83,6 +94,47 @@ namespace Signorini
             check_result.message = s.elasticity.mesh().body_name(body);
           }
       return check_result;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /// Where the contact geometry is updated, pressures p act along normals that have turned with
+    /// the body by an angle a, but at lever arms R of the body before: their moment p R sin(a) is
+    /// an error, which is a/mu of the largest moment of friction.
+    template <int dim>
+    void
+    add_moment_checks(const Snapshot<dim>         &s,
+                      const std::vector<Extremes> &largest,
+                      std::vector<CheckResult>    &result)
+    {
+      if (s.contact.n_components() == 1)
+        return;
+      const std::vector<double> bounds = bound_of_friction(s);
+      std::vector<double>       forces(s.pairs.size(), 0.);
+      s.contact.for_each_point([&](const auto i, const unsigned int pair) {
+        forces[pair] += s.contact.weight(i) * std::max(0., double(s.pressure(i)));
+      });
+      Utilities::MPI::sum(forces, s.elasticity.mesh().communicator(), forces);
+      for (unsigned int p = 0; p < s.pairs.size(); ++p)
+        {
+          double turn = 0;
+          for (const std::string &side : {s.pairs[p].slave, s.pairs[p].master})
+            if (const auto body = s.elasticity.mesh().body_of(side))
+              turn = std::max(turn, largest[*body].mean_rotation);
+          if (bounds[p] > 0)
+            result.push_back(make_check_result(
+              "rotation / friction",
+              s.pairs[p].name,
+              turn * forces[p] / bounds[p],
+              0.03,
+              "a body of the pair rotates by that fraction of the friction coefficient: in small-strain theory pressures "
+              "act along normals that turn, but at the places before, and moments of friction are wrong by up to that "
+              "fraction",
+              "set Deformation = finite, or Contact method/Contact geometry = reference"));
+        }
     }
   } // namespace
 
@@ -141,7 +193,9 @@ namespace Signorini
       "' by half of the square of its rotation, that much relative to its strains: where the contact geometry is "
       "updated, gaps and pressures contain it";
     rotation.advice = "set Deformation = finite, or Contact method/Contact geometry = reference";
-    return {motion, strain, rotation};
+    std::vector<CheckResult> result = {motion, strain, rotation};
+    add_moment_checks(now, largest, result);
+    return result;
   }
 
 

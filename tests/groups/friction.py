@@ -172,7 +172,8 @@ def rotation(test):
     scene = SCENES / "friction-turn-bodies.prm"
     sets = ["Supports/hub/Displacement=(cos(0.05*t)-1)*x-sin(0.05*t)*y; sin(0.05*t)*x+(cos(0.05*t)-1)*y", "Contact method/Contact geometry=updated"]
     small, finite = (warnings(test.results(scene, [*sets, f"Deformation={model}"])) for model in ("small", "finite"))
-    test.check("rotation / strain" in small and "rotation / strain" not in finite, f"warned of {small} and {finite}")
+    for check in ("rotation / strain", "rotation / friction"):
+        test.check(check in small and check not in finite, f"warned of {small} and {finite}")
 
 
 def work(test):
