@@ -82,6 +82,7 @@ namespace
                                  active,
                                  state,
                                  no_work,
+                                 no_work,
                                  1.,
                                  1};
     const LA::Vector field   = scene.elasticity->with_ghosts(recovered_pressure(snapshot, 0));
