@@ -92,6 +92,11 @@ namespace Signorini
     void
     stick_where_closing();
 
+    /// Let points that have opened and closed several times close with the other kind of status,
+    /// slip or stick, every second time. Collective.
+    void
+    alternate_kinds_of_chattering_points();
+
     /// Let the points that were and are closed keep the kind of their status, slip or stick.
     /// Returns true if that changes the set. Collective.
     bool

@@ -150,6 +150,8 @@ namespace Signorini
       }
     if (globalised && law.has_multiplier())
       active_set.change_only_most_violated(trial[0]);
+    if (contact.n_components() > 1)
+      active_set.alternate_kinds_of_chattering_points();
     // The displacement follows new values of supports and obstacles only in the first step. An
     // obstacle that retreats would lose all contact before the bodies follow: the last set is kept
     // for that step.

@@ -173,6 +173,22 @@ namespace Signorini
 
 
 
+  // A point in a corner of two pairs may be in tension where it sticks, and penetrate where it is
+  // open: it can only slip, while the law, which knows no traction of an open point, lets it stick.
+  void
+  ActiveSet::alternate_kinds_of_chattering_points()
+  {
+    constexpr unsigned int often = 4;
+    for (const auto i : now.locally_owned_elements())
+      if (is_closed(now(i)) && !is_closed(last(i)) && contact.coefficients.friction(i) > 0 &&
+          changes(i) >= often && static_cast<unsigned int>(changes(i)) / 2 % 2 == 0)
+        now(i) = static_cast<double>(
+          status_of(now(i)) == ContactStatus::stick ? ContactStatus::slip : ContactStatus::stick);
+    now.compress(VectorOperation::insert);
+  }
+
+
+
   bool
   ActiveSet::keep_kinds()
   {

@@ -153,6 +153,18 @@ def stack(test):
     test.check(math.isclose(*works, rel_tol=2e-3), f"works of friction {works}")
 
 
+def corner(test):
+    """A point of two pairs that neither sticks nor opens slips: Newton's method ends, and methods agree."""
+    forces = []
+    for method in ("Lagrange multiplier", "augmented Lagrangian", "penalty"):
+        results = test.results(VARIED / "friction-corner.prm", [f"Contact method/Method={method}"])
+        steps = newton_steps(results)
+        forces.append([number(results, f"pairs/{pair}/normal_force") for pair in ("g", "w")])
+        test.print(f"{method}: {steps} Newton steps, forces {forces[-1]}")
+        test.check(len(steps) == 5 and max(steps) <= (20 if method == "penalty" else 12), f"{method}: {steps} Newton steps")
+    test.check(all(math.isclose(a, b, rel_tol=5e-3) for other in forces[1:] for a, b in zip(forces[0], other)), f"forces {forces}")
+
+
 def rest(test):
     """Bodies at rest do not creep, and what does not slip sticks: loads that stay, then vanish, with all methods."""
     sets = ["Loads/pull/Traction=5*table(t, 1,0, 2,3, 12,3, 13,0); 0", "Load steps/Times=1,2,3,4,5,6,7,8,9,10,11,12,13"]
@@ -188,7 +200,7 @@ def work(test):
 
 
 def cases():
-    for body in (bar, rest, stack):
+    for body in (bar, corner, rest, stack):
         yield Case("friction/newton", body.__name__, body)
     yield Case("friction/steps", "rotation", rotation)
     for body in (falling, stick, zero_pressure, detours, pieces, work):
