@@ -9,6 +9,7 @@ Other scenes have given resultants, or are images of each other: scaled, turned,
 
 import itertools
 import math
+import re
 from dataclasses import dataclass
 
 import program
@@ -250,6 +251,10 @@ class Layers:
         halves = self.ends == "automatic"
         mu = self.law[1] if self.law else lambda *_: self.mu
         traction, slip, length, work, last, before = [0.0, 0.0], [0.0, 0.0], 0.0, 0.0, [0.0, 0.0], 0.0
+        # The work of a load step is that of the mean bound (doc/theory, (2.30)), unless the one before is not known.
+        loaded = self.at(0.0)[0] != 0 or any(self.at(0.0)[1])
+        by_time = bool(self.law and re.search(r"\bt\b", self.law[0]))
+        bound_before = None if loaded else 0.0
         result = []
         for end in times:
             for time in ((before + end) / 2, end) if halves else (end,):
@@ -258,7 +263,7 @@ class Layers:
                     traction = motion
                     continue
                 if self.is_open(time) or press == 0:  # without pressure contact begins anew
-                    traction, slip, last = [0.0, 0.0], [0.0, 0.0], motion
+                    traction, slip, last, bound_before = [0.0, 0.0], [0.0, 0.0], motion, 0.0
                     continue
                 trial = [t + m - l for t, m, l in zip(traction, motion, last)]
                 bound = max(0.0, min(mu(time, press * self.p, length * self.p / self.k) * press, self.limit))
@@ -267,7 +272,9 @@ class Layers:
                 step = [a - b for a, b in zip(trial, new)]
                 slip = [a + b for a, b in zip(slip, step)]
                 length += math.hypot(*step)
-                work += sum(a * b for a, b in zip(new, step))
+                known = bound_before is not None and bound > 0 and not by_time
+                work += (0.5 * (1 + bound_before / bound) if known else 1) * sum(a * b for a, b in zip(new, step))
+                bound_before = bound
                 traction, last = new, motion
             result.append((0.0 if self.is_open(end) else self.at(end)[0], traction, slip, length, work))
             before = end

@@ -87,6 +87,15 @@ namespace Signorini
 
   template <int dim>
   bool
+  FrictionCoefficient<dim>::depends_on_time() const
+  {
+    return compiled && compiled->depends_on(dim);
+  }
+
+
+
+  template <int dim>
+  bool
   FrictionCoefficient<dim>::depends_on_slip() const
   {
     return compiled && compiled->depends_on(dim + 2);

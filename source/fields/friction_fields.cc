@@ -217,7 +217,9 @@ namespace Signorini
   relative_mean_bound(const Snapshot<dim> &s, const unsigned int pair, const double bound)
   {
     const std::vector<double> &before = s.friction_bound_at_start;
-    return before.empty() || bound <= 0 ? 1. : 0.5 * (1 + before[pair] / bound);
+    // A coefficient that depends on time may have jumped to its present value at any time.
+    const bool is_known = !before.empty() && bound > 0 && !s.pairs[pair].friction.depends_on_time();
+    return is_known ? 0.5 * (1 + before[pair] / bound) : 1.;
   }
 
 

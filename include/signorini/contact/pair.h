@@ -50,6 +50,10 @@ namespace Signorini
     bool
     depends_on_slip() const;
 
+    /// True if the coefficient depends on time.
+    bool
+    depends_on_time() const;
+
     /// True if the coefficient belongs to the material points of the slave: by their place, or by
     /// the slip that they have behind them.
     bool
