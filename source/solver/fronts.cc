@@ -170,13 +170,15 @@ namespace Signorini
     Utilities::MPI::sum(beginning, now.get_mpi_communicator(), beginning);
     Utilities::MPI::sum(returning, now.get_mpi_communicator(), returning);
     std::vector<unsigned int> n_rings(n_pairs, 0);
+    unsigned int              most_rings = 0;
     for (unsigned int p = 0; p < n_pairs; ++p)
       {
         advances[p] = beginning[p] > 0 && returning[p] == 0 ? advances[p] + 1 : 0;
         if (advances[p] > n_single)
           n_rings[p] = 1u << std::min(advances[p] - n_single - 1, most_doublings);
+        most_rings = std::max(most_rings, n_rings[p]);
       }
-    for (unsigned int ring = 0; ring < *std::max_element(n_rings.begin(), n_rings.end()); ++ring)
+    for (unsigned int ring = 0; ring < most_rings; ++ring)
       {
         const LA::Vector grown = contact.origin.regions.with_neighbours(front);
         contact.for_each_point([&](const auto i, const unsigned int p) {
