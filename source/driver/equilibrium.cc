@@ -252,8 +252,9 @@ namespace Signorini
             if (scene.contact.chosen().has_friction)
               {
                 const Snapshot<dim> now = snapshot(0);
-                state.friction_work     = work_of_friction(now, state.start.friction_work);
                 state.friction_bound    = bound_of_friction(now);
+                state.friction_work =
+                  work_of_friction(now, state.start.friction_work, state.friction_bound);
               }
             return true;
           }

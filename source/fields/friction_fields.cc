@@ -226,7 +226,9 @@ namespace Signorini
 
   template <int dim>
   std::vector<double>
-  work_of_friction(const Snapshot<dim> &s, const std::vector<double> &before)
+  work_of_friction(const Snapshot<dim>       &s,
+                   const std::vector<double> &before,
+                   const std::vector<double> &bounds)
   {
     std::vector<double> result(s.pairs.size(), 0.);
     const PointVectors &first = s.contact_state.internal.scalars,
@@ -237,7 +239,6 @@ namespace Signorini
           s.contact.weight(i) * (last[0](i) - (first.empty() ? 0. : double(first[0](i))));
       });
     Utilities::MPI::sum(result, s.elasticity.mesh().communicator(), result);
-    const std::vector<double> bounds = bound_of_friction(s);
     for (unsigned int p = 0; p < result.size(); ++p)
       result[p] =
         relative_mean_bound(s, p, bounds[p]) * result[p] + (before.empty() ? 0. : before[p]);
@@ -275,6 +276,7 @@ namespace Signorini
   template std::vector<double>     bound_of_friction(const Snapshot<dim> &);                         \
   template double                  relative_mean_bound(const Snapshot<dim> &, unsigned int, double); \
   template std::vector<double>     work_of_friction(const Snapshot<dim> &,                           \
+                                                    const std::vector<double> &,                     \
                                                     const std::vector<double> &);                    \
   template bool                    has_tangential_forces(const Snapshot<dim> &);
   INSTANTIATE(2)

@@ -102,9 +102,12 @@ namespace Signorini
   /// it (doc/theory, (2.30)). Collective.
   /// @param s the solution
   /// @param before the work by its start; may be empty
+  /// @param bounds bound_of_friction() of the solution
   template <int dim>
   std::vector<double>
-  work_of_friction(const Snapshot<dim> &s, const std::vector<double> &before);
+  work_of_friction(const Snapshot<dim>       &s,
+                   const std::vector<double> &before,
+                   const std::vector<double> &bounds);
 
   /// @return whether tangential tractions are not negligible beside the pressure: only then does
   /// the solution depend on the path. Collective.

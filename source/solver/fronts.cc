@@ -34,15 +34,11 @@ namespace Signorini
       /// From slip to stick, or to slip against the traction.
       bool
       returns(const types::global_dof_index i,
-              const PointVectors           &trial,
+              const TrialFriction          &friction,
               const PointVectors           &traction) const
       {
-        if (!is(last, i, ContactStatus::slip) || !is_closed(now(i)))
-          return false;
-        double along = 0;
-        for (unsigned int a = 1; a < trial.size(); ++a)
-          along += trial[a](i) * traction[a](i);
-        return sticks(i) || along < 0;
+        return is(last, i, ContactStatus::slip) && is_closed(now(i)) &&
+               (sticks(i) || friction.is_against(i, traction));
       }
 
     private:
@@ -76,7 +72,7 @@ namespace Signorini
     std::vector<double>              returning(n_pairs, 0.);
     LA::Vector                       inside = contact.zero();
     contact.for_each_point([&](const auto i, const unsigned int p) {
-      returning[p] += slip.returns(i, trial, traction);
+      returning[p] += slip.returns(i, friction, traction);
       if (!slip.begins(i))
         return;
       inside(i)           = 1;
@@ -164,7 +160,7 @@ namespace Signorini
     contact.for_each_point([&](const auto i, const unsigned int p) {
       front(i) = slip.begins(i);
       beginning[p] += slip.begins(i);
-      returning[p] += slip.returns(i, trial, traction);
+      returning[p] += slip.returns(i, friction, traction);
     });
     front.compress(VectorOperation::insert);
     Utilities::MPI::sum(beginning, now.get_mpi_communicator(), beginning);
@@ -182,7 +178,7 @@ namespace Signorini
       {
         const LA::Vector grown = contact.origin.regions.with_neighbours(front);
         contact.for_each_point([&](const auto i, const unsigned int p) {
-          // Points that bear less than half of what they may are not next.
+          // Points that bear less than half of their bound are far from slip.
           if (ring < n_rings[p] && grown(i) > 0 && front(i) == 0 && slip.sticks(i) &&
               friction.size(i) > 0.5 * friction.bound(i))
             {

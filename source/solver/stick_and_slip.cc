@@ -14,13 +14,11 @@ namespace Signorini
   void
   ActiveSet::stick_where_traction_turns(const PointVectors &trial, const PointVectors &traction)
   {
+    const TrialFriction friction{contact, trial};
     for (const auto i : now.locally_owned_elements())
       if (status_of(now(i)) == ContactStatus::slip && contact.coefficients.friction(i) > 0)
         {
-          double along = 0;
-          for (unsigned int a = 1; a < trial.size(); ++a)
-            along += trial[a](i) * traction[a](i);
-          const double n      = turns(i) + (along < 0);
+          const double n      = turns(i) + friction.is_against(i, traction);
           const bool   sticks = n >= 2;
           turns(i)            = sticks ? 0 : n;
           if (sticks)

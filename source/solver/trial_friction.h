@@ -38,6 +38,16 @@ namespace Signorini
       return sum;
     }
 
+    /// True if the tangential trial traction makes more than a right angle with a traction.
+    bool
+    is_against(const types::global_dof_index i, const PointVectors &traction) const
+    {
+      double product = 0;
+      for (unsigned int a = 1; a < trial.size(); ++a)
+        product += trial[a](i) * traction[a](i);
+      return product < 0;
+    }
+
     /// The component of the tangential trial traction along a direction in space.
     double
     along(const types::global_dof_index i, const std::vector<double> &direction) const

@@ -421,7 +421,7 @@ TEST_CASE("import: kinds of friction")
     CHECK(messages.find("FRICTION") == std::string::npos);
   }
   {
-    // One coefficient, although there is a slope or a rate in all lines.
+    // A table by pressure: the slip rate is the same in all lines.
     const TemporaryFile file(with("*FRICTION, DEPENDENCIES=0\n0.6, 2., 0.\n0.1, 2., 20.\n"),
                              ".inp");
     const auto [text, messages] = imported(file.path);

@@ -80,9 +80,12 @@ namespace Signorini
         model.lacks_supports = true;
         return;
       }
+    // Zero is the default number of fields on which the coefficient depends.
     const bool by_fields = in.has("DEPENDENCIES") && number({in.value("DEPENDENCIES")}, 0) > 0;
-    for (const char *option : {"USER", "ANISOTROPIC", "DEPENDENCIES"})
-      if (std::string(option) == "DEPENDENCIES" ? by_fields : in.has(option))
+    for (const auto &[option, is_set] : {std::make_pair("USER", in.has("USER")),
+                                         std::make_pair("ANISOTROPIC", in.has("ANISOTROPIC")),
+                                         std::make_pair("DEPENDENCIES", by_fields)})
+      if (is_set)
         {
           skip_item(std::string(option) + "; contact is without friction");
           model.lacks_supports = true;
