@@ -57,6 +57,7 @@ namespace TestScene
       for (LA::Vector *v : {&contact.weight,
                             &contact.coefficients.stiffness,
                             &contact.coefficients.epsilon,
+                            &contact.coefficients.friction,
                             &contact.coefficients.bilateral})
         v->reinit(points, MPI_COMM_WORLD);
       contact.weight                 = 1.;
