@@ -251,6 +251,7 @@ namespace Signorini
             active = closed_points(configuration_solver.contact_state().status);
             if (scene.contact.chosen().has_friction)
               {
+                add_critical_friction();
                 const Snapshot<dim> now = snapshot(0);
                 state.friction_bound    = bound_of_friction(now);
                 state.friction_work =

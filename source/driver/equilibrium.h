@@ -159,6 +159,10 @@ namespace Signorini
     /// NewtonReport::speed_ratio.
     double
     speed_ratio_since(const State &before);
+    /// Add NewtonReport::friction_over_critical, in the first and the last load step with slip, and
+    /// while it is large. Collective.
+    void
+    add_critical_friction();
     /// True if the tangent is indefinite somewhere on the straight line from the displacement of
     /// `before` to the present one.
     bool
@@ -213,7 +217,8 @@ namespace Signorini
     /// The Newton steps of this load step in earlier contact configurations.
     std::vector<NewtonStep> previous_steps;
 
-    double last_speed            = 0; ///< displacement per time in the last load step
+    double last_friction_over_critical = 0; ///< that was determined
+    double last_speed                  = 0; ///< displacement per time in the last load step
     double last_prescribed_speed = 0; ///< the part of it that supports and obstacles prescribe
 
     /// The solution before the last load step, if it was on this mesh.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the equilibrium that tells whether its path is stable: jumps and indefinite tangents.
+// The part of the equilibrium that tells whether its path is stable: jumps, indefinite tangents and
+// critical friction.
 #include "driver/equilibrium.h"
 
 #include <algorithm>
@@ -65,7 +66,24 @@ namespace Signorini
 
 
 
+  // It costs about as many iterations as a Newton step or two, and changes little from load step to
+  // load step.
+  template <int dim>
+  void
+  Equilibrium<dim>::add_critical_friction()
+  {
+    constexpr double large = 0.5;
+    const bool is_small    = last_friction_over_critical > 0 && last_friction_over_critical < large;
+    if (is_small && state.time < scene.load_steps.ends().back())
+      return;
+    last_friction_over_critical      = configuration_solver.friction_over_critical();
+    my_report.friction_over_critical = last_friction_over_critical;
+  }
+
+
+
 #define INSTANTIATE(dim)                                                                           \
+  template void   Equilibrium<dim>::add_critical_friction();                                       \
   template double Equilibrium<dim>::speed_ratio_since(const State &);                              \
   template bool   Equilibrium<dim>::is_indefinite_on_path_from(const State &);
   INSTANTIATE(2)

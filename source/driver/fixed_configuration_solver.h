@@ -104,6 +104,13 @@ namespace Signorini
       return solver && solver->newton.tangent_is_indefinite(u, my_contact);
     }
 
+    /// See Newton::friction_over_critical(); 0 if there is no contact yet. Collective.
+    double
+    friction_over_critical()
+    {
+      return solver ? solver->newton.friction_over_critical(state.displacement, my_contact) : 0;
+    }
+
     /// True if the tangent of any iterate since set_initial_guess() was found to be indefinite.
     bool
     met_negative_curvature() const

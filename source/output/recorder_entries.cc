@@ -143,6 +143,7 @@ namespace Signorini
                    {"residual", report.steps.back().residual},
                    {"tangent_positive_definite", !report.tangent_is_indefinite},
                    {"snap_through_ratio", report.speed_ratio},
+                   {"friction_over_critical", report.friction_over_critical},
                    {"krylov_iterations", krylov},
                    {"newton_iterations_before_augmentations", augmentations}};
     if (!report.undetermined_modes.empty())

@@ -67,6 +67,12 @@ namespace Signorini
     bool
     tangent_is_indefinite(const LA::Vector &u, const ContactState &state);
 
+    /// The friction at a solution relative to a critical one, at which other solutions appear
+    /// (doc/theory, (4.24)): beyond 1 there are others. 0 where nothing slips with friction.
+    /// Collective.
+    double
+    friction_over_critical(const LA::Vector &u, const ContactState &state);
+
     /// Change the criteria for the next solve().
     void
     set_stopping_criteria(const StoppingCriteria &wanted)

@@ -49,6 +49,8 @@ namespace Signorini
     /// tangent is indefinite somewhere on the straight line between the two solutions: a sign of
     /// snap-through. Else 0.
     double speed_ratio = 0;
+    /// See Newton::friction_over_critical().
+    double friction_over_critical = 0;
     /// Body with the largest relative residual, if not converged.
     unsigned int worst_body = dealii::numbers::invalid_unsigned_int;
 

@@ -2,6 +2,7 @@
 #include "verdict/checks.h"
 
 #include "fields/peak.h"
+#include "verdict/pair_checks.h"
 #include <signorini/solid/model.h>
 
 #include <algorithm>
@@ -170,6 +171,21 @@ namespace Signorini
       return check_result;
     }
 
+    /// Check that the solution is not one of several by its friction.
+    CheckResult
+    check_uniqueness(const nlohmann::ordered_json &results)
+    {
+      return make_check_result(
+        "friction / critical friction",
+        "",
+        results["friction_over_critical"],
+        1,
+        "friction at slipping points is that many times a critical one, beyond which the same loads have several "
+        "solutions: which one the bodies take depends on what the quasi-static equations do not contain",
+        "compare with more load steps, and with a smaller friction coefficient; a solution that jumps between them is "
+        "one of several");
+    }
+
     /// Check the rounding of coordinates: far from the origin gaps are small differences of large
     /// numbers.
     template <int dim>
@@ -318,6 +334,8 @@ namespace Signorini
         all.push_back(check_stability(results));
         all.push_back(check_jump(results));
       }
+    if (scene.contact.chosen().has_friction)
+      all.push_back(check_uniqueness(results));
     all.push_back(check_undetected_penetration(scene, now));
     return all;
   }

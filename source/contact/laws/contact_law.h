@@ -147,6 +147,15 @@ namespace Signorini
       return false;
     }
 
+    /// Let derivatives be those of a bound of friction that is given, as in the law of Tresca, or
+    /// those of one that depends on the pressure, until called again. Returns false if the law has
+    /// no friction.
+    virtual bool
+    give_friction_bound(bool /*given*/)
+    {
+      return false;
+    }
+
     /// The factor that reduces all penalties to at most E/h; 1 if the law gains nothing from
     /// continuation. Collective.
     virtual double

@@ -158,12 +158,15 @@ namespace Signorini
     if (status == ContactStatus::open)
       return result;
 
-    const unsigned int   n = n_components();
-    const double         c = parameter(point), elastic = elastic_compliance(point);
-    const LawVector      tried = trial(point, in);
-    const DiscProjection allowed =
-      project(tried, contact.coefficients.friction_bound(point, tried[0]), status);
-    double slip = 0;
+    const unsigned int                 n = n_components();
+    const double                       c = parameter(point), elastic = elastic_compliance(point);
+    const LawVector                    tried = trial(point, in);
+    ContactCoefficients::FrictionBound radius =
+      contact.coefficients.friction_bound(point, tried[0]);
+    if (has_given_bound)
+      radius.by_pressure = 0;
+    const DiscProjection allowed = project(tried, radius, status);
+    double               slip    = 0;
     for (unsigned int a = 1; a < n; ++a)
       {
         // Without a multiplier the residual is what the next augmentation changes.

@@ -91,6 +91,13 @@ namespace Signorini
       return normal.minimal_penalty_scale();
     }
 
+    bool
+    give_friction_bound(const bool given) override
+    {
+      has_given_bound = given;
+      return true;
+    }
+
     double
     residual_stiffness(const Index point) const override
     {
@@ -127,6 +134,7 @@ namespace Signorini
 
     NormalContact       normal;
     const PressureShift shift;
-    PointVectors        last; ///< traction of the last augmentation
+    PointVectors        last;                    ///< traction of the last augmentation
+    bool                has_given_bound = false; ///< see give_friction_bound()
   };
 } // namespace Signorini
