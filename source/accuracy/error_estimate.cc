@@ -42,7 +42,7 @@ namespace Signorini
       s.contact.B.vmult(opening, z);
       double sum = 0;
       for (const auto i : opening.locally_owned_elements())
-        if (s.pressure(i) < 0 && s.contact.coefficients.bilateral(i) == 0)
+        if (s.pressure(i) < 0 && s.contact.coefficients.least_status(i) == 0)
           sum -= opening(i) * s.contact.weight(i) * s.pressure(i);
       return Utilities::MPI::sum(sum, opening.get_mpi_communicator());
     }

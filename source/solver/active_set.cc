@@ -27,12 +27,12 @@ namespace Signorini
 
   ActiveSet::ActiveSet(const GapOperator &contact)
     : contact(contact)
-    , now(contact.coefficients.bilateral)
-    , last(contact.coefficients.bilateral)
+    , now(contact.coefficients.least_status)
+    , last(contact.coefficients.least_status)
     , changes(contact.zero())
     , turns(contact.zero())
     , advances(contact.n_pairs(), 0)
-    , n_bilateral(count(contact.coefficients.bilateral))
+    , n_bilateral(count(contact.coefficients.least_status))
   {}
 
 
@@ -56,7 +56,7 @@ namespace Signorini
     unsigned int n_changes = 0;
     for (const auto i : now.locally_owned_elements())
       {
-        const double value = std::max(contact.coefficients.bilateral(i), status(i));
+        const double value = std::max(contact.coefficients.least_status(i), status(i));
         n_changes += value != now(i);
         now(i) = value;
       }
@@ -157,7 +157,7 @@ namespace Signorini
     // Points that remain: those closed before, bilateral ones, and those of pairs without
     // significant penetration.
     const auto stays = [&](const auto i, const unsigned int pair) {
-      return is_closed(last(i)) || contact.coefficients.bilateral(i) > 0 ||
+      return is_closed(last(i)) || contact.coefficients.least_status(i) > 0 ||
              deepest[pair] >= -rounding || gap(i) <= share[pair] * deepest[pair];
     };
     constexpr unsigned int most_trials = 10;
@@ -207,7 +207,7 @@ namespace Signorini
     force.compress(VectorOperation::insert);
     const LA::Vector sums    = contact.origin.regions.sums(either, force);
     const auto       is_left = [&](const auto i) {
-      return is_closed(now(i)) && (sums(i) >= 0 || contact.coefficients.bilateral(i) > 0);
+      return is_closed(now(i)) && (sums(i) >= 0 || contact.coefficients.least_status(i) > 0);
     };
     std::vector<unsigned int> left(contact.n_pairs(), 0);
     contact.for_each_point(
@@ -254,14 +254,14 @@ namespace Signorini
   {
     double deepest = 0;
     for (const auto i : gap.locally_owned_elements())
-      if (contact.coefficients.bilateral(i) == 0)
+      if (contact.coefficients.least_status(i) == 0)
         deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
     // A single penetrating point counts as touching: at the tip of a cone, for example, the gap of
     // a node is the mean over its faces.
     if (deepest > coordinate_rounding() && n_active_unilateral() > 1)
       return restrict_to_deepest(gap);
-    now = contact.coefficients.bilateral;
+    now = contact.coefficients.least_status;
     return count(now);
   }
 

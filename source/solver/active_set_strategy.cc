@@ -66,7 +66,7 @@ namespace Signorini
   {
     double largest = 0;
     for (const auto i : p.locally_owned_elements())
-      if (contact.coefficients.bilateral(i) == 0)
+      if (contact.coefficients.least_status(i) == 0)
         largest = std::max(largest, std::abs(p(i)));
     return Utilities::MPI::max(largest, system.stiffness().communicator()) == 0;
   }

@@ -276,8 +276,8 @@ namespace Signorini
     // The tractions of pairs with separation, then those of each pair without.
     std::vector<PointVectors> tractions = {p};
     for (LA::Vector &component : tractions[0])
-      component -= product(component, contact->coefficients.bilateral);
-    const bool         any     = contact->coefficients.bilateral.linfty_norm() > 0;
+      component -= product(component, contact->coefficients.least_status);
+    const bool         any     = contact->coefficients.least_status.linfty_norm() > 0;
     const unsigned int n_pairs = any ? contact->n_pairs() : 0;
     for (unsigned int k = 0; k < n_pairs; ++k)
       {
@@ -287,7 +287,7 @@ namespace Signorini
             auto which = contact->origin.pair.begin();
             for (const auto i : p[a].locally_owned_elements())
               if (*which++ == k)
-                tractions.back()[a](i) = contact->coefficients.bilateral(i) * p[a](i);
+                tractions.back()[a](i) = contact->coefficients.least_status(i) * p[a](i);
             tractions.back()[a].compress(VectorOperation::insert);
           }
       }
@@ -333,7 +333,7 @@ namespace Signorini
     const double crawls = 1e-8 * motion.linfty_norm();
     double       first  = std::numeric_limits<double>::infinity();
     for (const auto i : gap.locally_owned_elements())
-      if (speed(i) < -crawls && contact->coefficients.bilateral(i) == 0)
+      if (speed(i) < -crawls && contact->coefficients.least_status(i) == 0)
         first = std::min(first, std::max(0., gap(i)) / -speed(i));
     // The first point that closes along the motion determines how far it goes.
     first = Utilities::MPI::min(first, speed.get_mpi_communicator());

@@ -37,7 +37,7 @@ namespace
       for (LA::Vector *v : {&contact.weight,
                             &contact.coefficients.stiffness,
                             &contact.coefficients.epsilon,
-                            &contact.coefficients.bilateral,
+                            &contact.coefficients.least_status,
                             &contact.reference_gap})
         v->reinit(owned, comm);
       contact.weight                 = 2.;
@@ -101,9 +101,9 @@ namespace
 TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
 {
   Points points({0, 0, 0, 0, 0, 0});
-  points.contact.coefficients.bilateral = points.vector({0, 0, 0, 0, 1, 1});
-  const LA::Vector gap                  = points.vector({-1, 1, 1, -1, 1, -1}),
-                   p                    = points.vector({0, 0, 11, -11, 5, 5});
+  points.contact.coefficients.least_status = points.vector({0, 0, 0, 0, 1, 1});
+  const LA::Vector gap                     = points.vector({-1, 1, 1, -1, 1, -1}),
+                   p                       = points.vector({0, 0, 11, -11, 5, 5});
   CHECK(everywhere(status(points.contact, gap, p)) == Values({1, 0, 1, 0, 1, 1}));
 
   // A node without area is never active.
@@ -125,7 +125,7 @@ TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
 TEST_CASE("shares of overlaps: gaps stay, at permanent points they count as well")
 {
   Points points({-1, 1, -2, 2, -3, 3});
-  points.contact.coefficients.bilateral = points.vector({0, 0, 0, 0, 1, 1});
+  points.contact.coefficients.least_status = points.vector({0, 0, 0, 0, 1, 1});
   points.contact.set_interference({0.5, 0.25, 0.5});
   CHECK(everywhere(points.contact.initial_gap) == Values({-0.5, 1, -0.5, 2, -1.5, 1.5}));
   points.contact.set_interference({1, 1, 1});
@@ -157,7 +157,7 @@ TEST_CASE("of overlapping points the deepest half of each pair comes first")
 TEST_CASE("points that only touch do not count at first, those that never separate do")
 {
   Points points({0, -1e-13, 3, 0, 0, 0});
-  points.contact.coefficients.bilateral = points.vector({0, 0, 0, 0, 1, 1});
+  points.contact.coefficients.least_status = points.vector({0, 0, 0, 0, 1, 1});
   ActiveSet set(points.contact);
   set.update(status(points.contact, points.contact.initial_gap, points.contact.zero()));
   CHECK(set.size() == 3);

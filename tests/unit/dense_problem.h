@@ -58,7 +58,7 @@ namespace TestScene
                             &contact.coefficients.stiffness,
                             &contact.coefficients.epsilon,
                             &contact.coefficients.friction,
-                            &contact.coefficients.bilateral})
+                            &contact.coefficients.least_status})
         v->reinit(points, MPI_COMM_WORLD);
       contact.weight                 = 1.;
       contact.coefficients.stiffness = 1.;

@@ -76,11 +76,11 @@ namespace
   single_point(const double epsilon, const double friction)
   {
     GapOperator contact;
-    contact.weight                 = one_value(1);
-    contact.coefficients.bilateral = one_value(0);
-    contact.coefficients.stiffness = one_value(epsilon / 20);
-    contact.coefficients.epsilon   = one_value(epsilon);
-    contact.coefficients.friction  = one_value(friction);
+    contact.weight                    = one_value(1);
+    contact.coefficients.least_status = one_value(0);
+    contact.coefficients.stiffness    = one_value(epsilon / 20);
+    contact.coefficients.epsilon      = one_value(epsilon);
+    contact.coefficients.friction     = one_value(friction);
     contact.tangential.B.resize(2);
     return contact;
   }

@@ -48,7 +48,7 @@ namespace Signorini
     for (const auto i : reference_gap.locally_owned_elements())
       {
         const double share  = shares[*which++];
-        const bool   counts = reference_gap(i) < 0 || coefficients.bilateral(i) > 0;
+        const bool   counts = reference_gap(i) < 0 || coefficients.least_status(i) > 0;
         const double change = at_rest() ? 0. : double(moved.gap_offset(i));
         initial_gap(i)      = (counts ? share : 1.) * reference_gap(i) + change;
       }

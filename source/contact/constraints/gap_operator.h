@@ -27,7 +27,9 @@ namespace Signorini
   /// Coefficients of the contact law, one value for each contact point.
   struct ContactCoefficients
   {
-    LA::Vector bilateral; ///< 1 at points of pairs without separation, else 0
+    /// The status that points have at least: closed (1) at those of pairs without separation, else
+    /// open (0).
+    LA::Vector least_status;
     LA::Vector stiffness; ///< E/h [force/length^3]
     /// Current area per reference area, to which tractions refer; 1 at small strain.
     LA::Vector area_ratio;

@@ -156,7 +156,7 @@ namespace Signorini
       contact.reference_gap.reinit(contact.weight);
       contact.coefficients.stiffness.reinit(contact.weight);
       contact.coefficients.area_ratio.reinit(contact.weight);
-      contact.coefficients.bilateral.reinit(contact.weight);
+      contact.coefficients.least_status.reinit(contact.weight);
       contact.coefficients.friction.reinit(contact.weight);
       contact.coefficients.epsilon.reinit(contact.weight);
       // Moments have one component in the plane and three in space.
@@ -333,9 +333,9 @@ namespace Signorini
     for (const auto i : rows.owned)
       {
         const bool stays = !surfaces[*pair++].can_separate && contact.weight(i) > 0;
-        contact.coefficients.bilateral(i) = stays ? 1. : 0.;
+        contact.coefficients.least_status(i) = stays ? 1. : 0.;
       }
-    contact.coefficients.bilateral.compress(VectorOperation::insert);
+    contact.coefficients.least_status.compress(VectorOperation::insert);
     if (method.sampling() == Sampling::nodes)
       move_to_nodes(contact, elasticity);
     // The offset makes the slip exact in the displaced configuration.

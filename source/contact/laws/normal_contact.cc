@@ -71,7 +71,7 @@ namespace Signorini
   NormalContact::status(const Index point, const LawVector &trial) const
   {
     const bool is_closed =
-      (trial[0] > 0 || contact.coefficients.bilateral(point) > 0) && contact.weight(point) > 0;
+      (trial[0] > 0 || contact.coefficients.least_status(point) > 0) && contact.weight(point) > 0;
     return is_closed ? ContactStatus::slip : ContactStatus::open;
   }
 
