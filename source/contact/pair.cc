@@ -19,6 +19,13 @@ namespace Signorini
                 "BODY.BOUNDARY, or the name of an obstacle; the same as Slave for self-contact");
     // Former names of keys and choices are accepted for one release, with a note that names the new
     // ones.
+    section.add_choice(
+      "Law",
+      is_tied,
+      {{"contact", false}, {"tied", true}},
+      "contact: the surfaces press on each other, and slide with the Friction of the pair; tied: they are glued, where they "
+      "touch at the start up to a tenth of a face, or lie within the Search distance, and keep the gaps that their meshes "
+      "leave, or that of Initial gap");
     section.rename_key("Sides", "Slave choice");
     section.add_choice(
       "Slave choice",
@@ -61,11 +68,31 @@ namespace Signorini
                 directions,
                 "directions along which the extent of the contact area is reported, in addition to "
                 "the axes: vectors, separated by semicolons");
-    if (!section.reading())
-      return;
+    if (section.reading())
+      check_keys(section);
+  }
+
+
+
+  // What the combinations of keys imply, and which are invalid.
+  template <int dim>
+  void
+  ContactPair<dim>::check_keys(Section &section)
+  {
     for (const dealii::Point<dim> &direction : directions)
       if (direction.norm() == 0)
         section.fail("Extent directions", "the zero vector has no direction; remove it");
+    if (is_tied)
+      {
+        can_separate = false;
+        keeps_gaps   = !section.is_set("Initial gap");
+        for (const std::string key :
+             {"Separation", "Friction", "Friction limit", "Closure tolerance"})
+          if (section.is_set(key))
+            section.fail(key, "does not apply to tied surfaces; remove it, or set Law = contact");
+        if (slave == master)
+          section.fail("Law", "a surface cannot be tied to itself; set Law = contact");
+      }
     slave_location  = section.source_of("Slave");
     master_location = section.source_of("Master");
     if (interference.depends_on_place())

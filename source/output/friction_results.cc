@@ -108,6 +108,20 @@ namespace Signorini
 
 
 
+  template <int dim>
+  Json
+  tie_results(const Snapshot<dim> &s, const Tensor<1, dim> &force, const unsigned int pair)
+  {
+    return {{"tangential_force", list(force)},
+            {"max_tangential_traction", largest_tangential_traction(s, pair)}};
+  }
+
+
+
+  template Json
+  tie_results(const Snapshot<2> &, const Tensor<1, 2> &, unsigned int);
+  template Json
+  tie_results(const Snapshot<3> &, const Tensor<1, 3> &, unsigned int);
   template Json
   friction_results(const Snapshot<2> &, const Tensor<1, 2> &, double, unsigned int);
   template Json

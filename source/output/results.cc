@@ -239,6 +239,9 @@ namespace Signorini
         if (!snapshot.pairs[pair].friction.is_zero())
           result[snapshot.pairs[pair].name].update(
             friction_results(snapshot, force.friction_force, sums.patch.area, pair));
+        if (snapshot.pairs[pair].is_tied)
+          result[snapshot.pairs[pair].name].update(
+            tie_results(snapshot, force.friction_force, pair));
       }
     return result;
   }

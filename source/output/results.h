@@ -74,4 +74,14 @@ namespace Signorini
                    const dealii::Tensor<1, dim> &force,
                    double                        area,
                    unsigned int                  pair);
+
+  /// The entries of a tied pair: tangential force and traction. Collective.
+  /// @param snapshot the solution
+  /// @param force the part of the force on the slave that is due to tangential tractions
+  /// @param pair its index
+  template <int dim>
+  Json
+  tie_results(const Snapshot<dim>          &snapshot,
+              const dealii::Tensor<1, dim> &force,
+              unsigned int                  pair);
 } // namespace Signorini

@@ -99,6 +99,18 @@ namespace Signorini
         for (ExpectedResult &one : expected)
           one.use_present_paths(section, dim);
     }
+
+    /// Tell a method what it makes laws for: contact points of one or of all components.
+    template <int dim>
+    void
+    tell(ContactMethod &method, const std::vector<ContactPair<dim>> &pairs)
+    {
+      method.has_friction = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+        return !pair.friction.is_zero();
+      });
+      method.has_ties =
+        std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) { return pair.is_tied; });
+    }
   } // namespace
 
 
@@ -184,12 +196,8 @@ namespace Signorini
       "Contact method",
       "Method chooses the contact method; the sections of the other methods are ignored.",
       [&](Section &s) { contact.declare(s); });
-    // The methods make their laws for contact points of one or of all components.
-    const bool has_friction = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
-      return !pair.friction.is_zero();
-    });
     for (auto &[name, method] : contact.methods)
-      method->has_friction = has_friction;
+      tell(*method, pairs);
     section.add_section("Accuracy",
                         "Quantities of interest, their error bounds, and adaptive refinement.",
                         [&](Section &s) {

@@ -275,9 +275,15 @@ namespace Signorini
       return 0;
     // The tractions of pairs with separation, then those of each pair without.
     std::vector<PointVectors> tractions = {p};
+    const LA::Vector         &least     = contact->coefficients.least_status;
     for (LA::Vector &component : tractions[0])
-      component -= product(component, contact->coefficients.least_status);
-    const bool         any     = contact->coefficients.least_status.linfty_norm() > 0;
+      {
+        for (const auto i : component.locally_owned_elements())
+          if (is_closed(least(i)))
+            component(i) = 0;
+        component.compress(VectorOperation::insert);
+      }
+    const bool         any     = least.linfty_norm() > 0;
     const unsigned int n_pairs = any ? contact->n_pairs() : 0;
     for (unsigned int k = 0; k < n_pairs; ++k)
       {
@@ -287,7 +293,7 @@ namespace Signorini
             auto which = contact->origin.pair.begin();
             for (const auto i : p[a].locally_owned_elements())
               if (*which++ == k)
-                tractions.back()[a](i) = contact->coefficients.least_status(i) * p[a](i);
+                tractions.back()[a](i) = is_closed(least(i)) ? p[a](i) : 0;
             tractions.back()[a].compress(VectorOperation::insert);
           }
       }

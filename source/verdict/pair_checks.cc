@@ -257,6 +257,64 @@ namespace Signorini
         "refine there, set Degree = 2, exchange Slave and Master, or choose another method";
       return check_result;
     }
+
+    /// Check that the initial overlap is within a face.
+    CheckResult
+    check_initial_overlap(const std::string   &name,
+                          const ContactExtent &extent,
+                          const double         face_size)
+    {
+      return make_check_result(
+        "initial overlap / face size",
+        name,
+        std::max(0., -extent.smallest_reference_gap) / face_size,
+        1,
+        "the initial overlap is larger than a face of the slave",
+        "refine the slave, or apply the overlap gradually: Interference ramp = t");
+    }
+
+    /// Check that the surfaces face each other where they touch.
+    CheckResult
+    check_alignment(const std::string &name, const ContactExtent &extent)
+    {
+      return make_check_result(
+        "normal misalignment",
+        name,
+        std::acos(std::min(1., extent.smallest_normal_alignment)) * 180 / dealii::numbers::PI,
+        60,
+        "the angle between the slave normal and the opposite of the master normal is too large where the surfaces touch",
+        "refine there, or split the boundary");
+    }
+
+    /// Check that nodes match, with a method that connects nodes with surfaces.
+    CheckResult
+    check_matching_nodes(const std::string &name, const double share_of_others)
+    {
+      return make_check_result(
+        "non-matching nodes",
+        name,
+        share_of_others,
+        0.01,
+        "direct elimination is a node-to-surface method: where slave nodes do not coincide with master nodes, errors of "
+        "the pressure exceed 10 %",
+        "use matching meshes, or choose another method");
+    }
+
+    /// Check that the slave is tied as a whole, and that nodes match if they have to.
+    std::vector<CheckResult>
+    check_tie(const std::string &name, const double tied_share, const double share_of_other_nodes)
+    {
+      return {
+        make_check_result(
+          "untied share of the slave",
+          name,
+          1 - tied_share,
+          0.05,
+          "that part of the slave is free: it does not face the master, or is farther from it than a tenth of a "
+          "face, or than the Search distance",
+          "set a larger Search distance; or make the smaller surface the slave"),
+        check_matching_nodes(name, share_of_other_nodes)};
+    }
   } // namespace
 
 
@@ -270,6 +328,7 @@ namespace Signorini
               const nlohmann::ordered_json &results,
               const double                  scale)
   {
+    const bool is_nodal = decisions.scene.contact.chosen_name() == "direct elimination";
     std::vector<CheckResult>  check_results;
     const std::vector<double> displacements =
       largest_displacements(now.elasticity, now.displacement);
@@ -298,6 +357,16 @@ namespace Signorini
             tip,
             std::max(now.elasticity.mesh().facet_height(pair.slave).height,
                      obstacle ? 0. : now.elasticity.mesh().facet_height(pair.master).height)));
+        // Tied surfaces neither slide nor have an edge of contact.
+        if (pair.is_tied)
+          {
+            for (const CheckResult &one :
+                 check_tie(pair.name,
+                           covered_share(surface, now.elasticity.mesh().communicator()),
+                           is_nodal && !obstacle ? surface.non_matching_share : 0))
+              check_results.push_back(one);
+            continue;
+          }
         if (extent.active == 0 ||
             !is_significant(results["pairs"][pair.name]["normal_force"], scale))
           continue;
@@ -307,20 +376,8 @@ namespace Signorini
         check_results.push_back(
           check_contact_resolution<dim>(pair.name, decisions.degree_of(pair.slave), extent));
         check_results.push_back(check_partial_contact(pair.name, extent));
-        check_results.push_back(make_check_result(
-          "initial overlap / face size",
-          pair.name,
-          std::max(0., -extent.smallest_reference_gap) / surface.face_size,
-          1,
-          "the initial overlap is larger than a face of the slave",
-          "refine the slave, or apply the overlap gradually: Interference ramp = t"));
-        check_results.push_back(make_check_result(
-          "normal misalignment",
-          pair.name,
-          std::acos(std::min(1., extent.smallest_normal_alignment)) * 180 / numbers::PI,
-          60,
-          "the angle between the slave normal and the opposite of the master normal is too large where the surfaces touch",
-          "refine there, or split the boundary"));
+        check_results.push_back(check_initial_overlap(pair.name, extent, surface.face_size));
+        check_results.push_back(check_alignment(pair.name, extent));
         check_results.push_back(check_facet_pressure(now, i, extent));
         // For quadratic elements the recovered pressure is reported, which does not oscillate.
         if (now.contact.origin.regions.has_nodes() && decisions.degree_of(pair.slave) == 1)
@@ -336,15 +393,8 @@ namespace Signorini
         if (obstacle)
           continue;
         check_results.push_back(check_slave_choice(pair.name, surface.sides));
-        if (decisions.scene.contact.chosen_name() == "direct elimination")
-          check_results.push_back(make_check_result(
-            "non-matching nodes",
-            pair.name,
-            surface.non_matching_share,
-            0.01,
-            "direct elimination is a node-to-surface method: where slave nodes "
-            "do not coincide with master nodes, errors of the pressure exceed 10 %",
-            "use matching meshes, or choose another method"));
+        if (is_nodal)
+          check_results.push_back(check_matching_nodes(pair.name, surface.non_matching_share));
       }
     return check_results;
   }

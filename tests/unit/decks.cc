@@ -1037,6 +1037,38 @@ TEST_CASE("import: what was lost in silence is told")
 
 
 
+TEST_CASE("import: ties")
+{
+  const auto with = [](const std::string &keyword) {
+    std::ifstream in(test_mesh("pieces.inp"));
+    std::string   deck((std::istreambuf_iterator<char>(in)), {});
+    const auto    at = deck.find("*CONTACT PAIR");
+    deck.replace(at, deck.find("\n", at) - at, keyword);
+    return deck;
+  };
+  for (const std::string keyword : {"*TIE, NAME=glue, POSITION TOLERANCE=0.25",
+                                    "*TIE, ADJUST=NO",
+                                    "*CONTACT PAIR, INTERACTION=hard, TIED"})
+    {
+      CAPTURE(keyword);
+      const TemporaryFile file(with(keyword), ".inp");
+      const auto [text, messages] = imported(file.path);
+      const Scene<2> scene        = checked<2>(text);
+      REQUIRE(scene.pairs.size() == 1);
+      CHECK(scene.pairs[0].is_tied);
+      CHECK(scene.pairs[0].search_distance ==
+            (keyword.find("0.25") != std::string::npos ? 0.25 : 0.));
+      CHECK(scene.pairs[0].friction.is_zero());
+      CHECK(messages.find("TIE") == std::string::npos);
+    }
+  const TemporaryFile file(with("*TIE, CYCLIC SYMMETRY"), ".inp");
+  const auto [text, messages] = imported(file.path);
+  says(messages, "CYCLIC SYMMETRY");
+  CHECK(text.find("subsection Contact pairs") == std::string::npos);
+}
+
+
+
 // Supports whose values are not in the deck may have constrained bodies, as friction may.
 TEST_CASE("import: stabilisation forces are to be checked where supports are left out")
 {

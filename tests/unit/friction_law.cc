@@ -21,7 +21,9 @@ namespace
     Choice(const PressureShift shift, const bool multipliers)
       : shift(shift)
       , multipliers(multipliers)
-    {}
+    {
+      has_friction = true;
+    }
 
     void
     declare(Section &) override

@@ -338,6 +338,9 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
   REQUIRE(accurate.results["accuracy"]["met"] == true);
   const Solved rough(Two(), with_friction());
   REQUIRE(rough.code == solved);
+  const Solved tied(Two(),
+                    replaced(blocks, "subsection joint\n", "subsection joint\nset Law = tied\n"));
+  REQUIRE(tied.code == solved);
   const Solved one(Two(), warm), two(Two(), pressed_block<2>()), three(Three(), pressed_block<3>()),
     failed(Two(), hopeless, true);
   REQUIRE(one.code == solved);
@@ -346,7 +349,7 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
   REQUIRE(failed.code == not_converged);
 
   std::set<std::string> paths;
-  for (const Solved *run : {&one, &two, &three, &failed, &accurate, &open, &rough})
+  for (const Solved *run : {&one, &two, &three, &failed, &accurate, &open, &rough, &tied})
     collect_paths(without_former_names(run->results), "", paths);
   const std::set<std::string> page = documented("results.json");
   CHECK_MESSAGE(without(paths, page).empty(),

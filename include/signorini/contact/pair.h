@@ -88,7 +88,12 @@ namespace Signorini
     /// negative: none.
     double closes_below = -1;
     /// False: bilateral contact, g = 0 for either sign of the pressure.
-    bool                     can_separate = true;
+    bool can_separate = true;
+    /// The surfaces are glued: no gap and no slip, whatever the traction. Then can_separate is
+    /// false.
+    bool is_tied = false;
+    /// Tied surfaces that keep the gaps between them, whatever these are, without strain.
+    bool                     keeps_gaps = false;
     Expression<dim>          interference{"1"}; ///< share of initial overlaps that counts at time t
     FrictionCoefficient<dim> friction;
     /// Search radius [length]; 0: estimated by the program.
@@ -108,6 +113,10 @@ namespace Signorini
     /// combinations.
     void
     declare(Section &section);
+
+    /// The part of declare() after reading the keys.
+    void
+    check_keys(Section &section);
 
     /// True if the reference gap is given by the input, not by the positions of the bodies.
     bool

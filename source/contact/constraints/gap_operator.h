@@ -27,8 +27,8 @@ namespace Signorini
   /// Coefficients of the contact law, one value for each contact point.
   struct ContactCoefficients
   {
-    /// The status that points have at least: closed (1) at those of pairs without separation, else
-    /// open (0).
+    /// The status that points have at least: stick at those of tied pairs, slip at those of other
+    /// pairs without separation, else open.
     LA::Vector least_status;
     LA::Vector stiffness; ///< E/h [force/length^3]
     /// Current area per reference area, to which tractions refer; 1 at small strain.

@@ -3,6 +3,7 @@
 #include "contact/constraints/contact_rows.h"
 #include "contact/constraints/gap_operator.h"
 #include "contact/constraints/tangents.h"
+#include "contact/laws/contact_status.h"
 #include "contact/traction/normal_stress.h"
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/entries.h"
@@ -328,12 +329,17 @@ namespace Signorini
       }
     if (contact.has_stress())
       assemble_field_stress(elasticity, rows, surfaces, tangents, contact);
-    // Points of pairs without separation are active whatever the sign of their pressure.
+    // Points of pairs without separation are active whatever the sign of their pressure, those of
+    // tied ones stick whatever their traction.
     auto pair = rows.pair.begin();
     for (const auto i : rows.owned)
       {
-        const bool stays = !surfaces[*pair++].can_separate && contact.weight(i) > 0;
-        contact.coefficients.least_status(i) = stays ? 1. : 0.;
+        const ContactSurface<dim> &surface   = surfaces[*pair++];
+        const ContactStatus        least     = contact.weight(i) == 0 ? ContactStatus::open :
+                                               surface.is_tied        ? ContactStatus::stick :
+                                               surface.can_separate   ? ContactStatus::open :
+                                                                        ContactStatus::slip;
+        contact.coefficients.least_status(i) = static_cast<double>(least);
       }
     contact.coefficients.least_status.compress(VectorOperation::insert);
     if (method.sampling() == Sampling::nodes)

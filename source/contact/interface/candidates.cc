@@ -57,7 +57,9 @@ namespace Signorini
         if (!is_given && pair.search_distance == 0 && points[i].gap > most)
           continue;
         if (!is_given)
-          points[i].gap = std::min(points[i].gap, 0.);
+          points[i].gap = pair.keeps_gaps ? 0. :
+                          pair.is_tied    ? points[i].gap :
+                                            std::min(points[i].gap, 0.);
         if (n < i)
           {
             points[n] = std::move(points[i]);

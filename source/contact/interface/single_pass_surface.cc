@@ -153,6 +153,7 @@ namespace Signorini
       {
         surface.faces = surface.own_faces = slave.faces.size();
         surface.can_separate              = pair.can_separate;
+        surface.is_tied                   = pair.is_tied;
         surface.candidate_gap             = at_rest && pair.search_distance > 0 ?
                                               std::min(limit, pair.search_distance) :
                                               range.candidate_gap;

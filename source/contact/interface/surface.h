@@ -212,6 +212,7 @@ namespace Signorini
     unsigned int own_faces = 0;
     /// False for pairs without separation (bilateral contact).
     bool can_separate = true;
+    bool is_tied      = false; ///< see ContactPair
     /// Faces with larger gaps are no candidates [length].
     double candidate_gap = 0;
     double overlap       = 0;     ///< largest penetration at any point, over all ranks [length]

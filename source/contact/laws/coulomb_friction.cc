@@ -65,6 +65,7 @@ namespace Signorini
 
   CoulombFriction::CoulombFriction(const ContactMethod &method, const GapOperator &contact)
     : ContactLaw(contact)
+    , has_friction(method.has_friction)
     , normal(method, contact)
     , shift(method.pressure_shift())
     , last(contact.zeros())
@@ -119,8 +120,9 @@ namespace Signorini
   ContactStatus
   CoulombFriction::status(const Index point, const LawVector &trial) const
   {
-    if (normal.status(point, trial) == ContactStatus::open)
-      return ContactStatus::open;
+    const ContactStatus least = status_of(contact.coefficients.least_status(point));
+    if (normal.status(point, trial) == ContactStatus::open || least == ContactStatus::stick)
+      return least;
     // At the start of a load step the traction of points that slipped before is on the rim, and
     // there is no slip yet: rounding must not decide, and they stick first.
     constexpr double rounding = 1e-9;

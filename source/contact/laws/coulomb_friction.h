@@ -18,7 +18,7 @@ namespace Signorini
   /// t^ - c s is inside the disc, else it slips. If the traction is an unknown, the equation is
   /// (t - Pi(t^ - c s))/c = 0: s = 0 where it sticks, and the solution does not depend on c (Alart,
   /// Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler, Wohlmuth, SIAM
-  /// J. Sci. Comput. 30 (2008) 572-596).
+  /// J. Sci. Comput. 30 (2008) 572-596). Points of tied pairs stick whatever their traction.
   ///
   /// The internal variables are, at the end of the last load step: the tangential traction, with
   /// Nitsche's method the tangential stress less the traction (vector 0); the slip since the point
@@ -44,14 +44,14 @@ namespace Signorini
     bool
     is_symmetric() const override
     {
-      return false;
+      return !has_friction;
     }
 
     /// At slipping points they depend on the direction of slip.
     bool
     has_constant_derivatives() const override
     {
-      return false;
+      return !has_friction;
     }
 
     InternalVariables
@@ -132,7 +132,8 @@ namespace Signorini
     double
     elastic_compliance(Index point) const;
 
-    NormalContact       normal;
+    const bool    has_friction; ///< at any point; else points of tied pairs stick, others slip
+    NormalContact normal;
     const PressureShift shift;
     PointVectors        last;                    ///< traction of the last augmentation
     bool                has_given_bound = false; ///< see give_friction_bound()

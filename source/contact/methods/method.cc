@@ -41,7 +41,7 @@ namespace Signorini
   std::unique_ptr<ContactLaw>
   ContactMethod::make_law(const GapOperator &contact) const
   {
-    if (has_friction)
+    if (uses_slip())
       return std::make_unique<CoulombFriction>(*this, contact);
     return std::make_unique<NormalContact>(*this, contact);
   }

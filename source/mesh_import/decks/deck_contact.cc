@@ -9,12 +9,34 @@
 
 namespace Signorini
 {
-  // Ties become contact without separation, which constrains the normal direction only.
-  void
-  DeckReader::skip_tie()
+  namespace
   {
-    skip_item("tied tangentially: the surfaces stay together, but slide freely");
-    model.lacks_supports = true;
+    // The interaction of tied surfaces, with a name that no file can contain.
+    const char *const tied = "\"TIED";
+  } // namespace
+
+
+
+  // Data lines: slave, master. ADJUST moves nodes without strain, which changes nothing where gaps
+  // are kept without strain.
+  void
+  DeckReader::read_ties()
+  {
+    for (const char *const option : {"CYCLIC SYMMETRY", "MULTISTAGE", "FLUID"})
+      if (in.has(option))
+        {
+          skip_item(option);
+          model.lacks_supports = true;
+          return;
+        }
+    const std::string key      = "POSITION TOLERANCE";
+    const double      farthest = in.has(key) ? number({in.value(key)}, 0) : 0;
+    for (Words words; in.next_line(words);)
+      if (words.size() < 2 || words[1].empty())
+        in.fail("*TIE needs a slave and a master surface");
+      else
+        model.pairs.push_back({words[0], words[1], tied, farthest});
+    model.interactions[tied].kind = DeckModel::Interaction::Kind::tied;
   }
 
 
@@ -50,8 +72,6 @@ namespace Signorini
           one.stiffness = number(words, 0);
         if (kind == "LINEAR" && !(one.stiffness > 0))
           in.fail("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR needs a positive slope");
-        if (kind == "TIED")
-          skip_tie();
         return;
       }
     one.kind = Kind::hard;
@@ -61,7 +81,7 @@ namespace Signorini
     // pairs of the program either may separate or never do.
     if (in.has("NO SEPARATION"))
       {
-        one.kind = Kind::tied;
+        one.kind = Kind::never_separates;
         skip_item("NO SEPARATION; the surfaces stay together from the beginning");
       }
   }
@@ -144,24 +164,20 @@ namespace Signorini
 
 
 
-  // Data lines: slave, master. Pairs with TIED get an interaction of their own, with a name that no
-  // file can contain.
-  // Whether the surfaces exist is not checked here.
+  // Data lines: slave, master. Whether the surfaces exist is not checked here.
   void
   DeckReader::read_pairs()
   {
     if (const std::string by = in.value("ADJUST"); !model.deck.nodes.find(by))
       number({by}, 0); // or it fails
-    if (in.has("TIED"))
-      skip_tie();
     for (Words words; in.next_line(words);)
       if (words.size() < 2 || words[1].empty())
         skip_item("of one surface with itself: " + words[0]);
       else
         model.pairs.push_back(
-          {words[0], words[1], in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION"))});
+          {words[0], words[1], in.has("TIED") ? tied : upper_case(in.value("INTERACTION")), 0});
     if (in.has("TIED"))
-      model.interactions["\"TIED"].kind = DeckModel::Interaction::Kind::tied;
+      model.interactions[tied].kind = DeckModel::Interaction::Kind::tied;
   }
 
 

@@ -144,13 +144,14 @@ namespace Signorini
     };
 
     /// The contact law of a *SURFACE INTERACTION: hard, linear (pressure proportional to the
-    /// overlap), or without separation ("tied", in normal direction).
+    /// overlap), without separation, or tied.
     struct Interaction
     {
       enum class Kind
       {
         hard,
         linear,
+        never_separates,
         tied
       };
 
@@ -167,6 +168,8 @@ namespace Signorini
     struct Pair
     {
       std::string slave, master, interaction;
+      /// Largest distance of surfaces that are tied; 0: none given.
+      double farthest;
     };
 
     /// An initial gap [length] that is prescribed instead of that of the mesh.

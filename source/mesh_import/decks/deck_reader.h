@@ -33,7 +33,7 @@ namespace Signorini
     void
     skip_item(const std::string &why);
     void
-    skip_tie();
+    read_ties();
     void
     skip_stray_lines(const std::string &which);
     void

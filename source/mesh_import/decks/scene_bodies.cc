@@ -110,18 +110,22 @@ namespace Signorini
                             pair.master + " is hard",
                           "",
                           "pair");
-        const bool stays = found != model.interactions.end() &&
-                           found->second.kind == DeckModel::Interaction::Kind::tied;
+        using Kind      = DeckModel::Interaction::Kind;
+        const Kind kind = found == model.interactions.end() ? Kind::hard : found->second.kind;
         for (const std::string &slave : split(slaves, ','))
           for (const std::string &master : split(masters, ','))
             {
               items.push_back(
                 {names.make_unique_name(as_name(pair.slave) + " on " + as_name(pair.master)),
                  {{"Slave", slave}, {"Master", master}}});
-              if (stays)
+              if (kind == Kind::tied)
+                items.back().keys.emplace_back("Law", "tied");
+              if (kind == Kind::never_separates)
                 items.back().keys.emplace_back("Separation", "none");
-              if (found != model.interactions.end() && !found->second.friction.empty() &&
-                  found->second.friction != "0")
+              if (pair.farthest > 0)
+                items.back().keys.emplace_back("Search distance", long_text(pair.farthest));
+              if (kind != Kind::tied && found != model.interactions.end() &&
+                  !found->second.friction.empty() && found->second.friction != "0")
                 {
                   items.back().keys.emplace_back("Friction", found->second.friction);
                   if (found->second.shear_limit > 0)
@@ -158,7 +162,7 @@ namespace Signorini
           found != model.interactions.end())
         {
           const auto &one = found->second;
-          has_hard |= one.kind == Kind::hard;
+          has_hard |= one.kind == Kind::hard || one.kind == Kind::tied;
           if (one.kind == Kind::linear && stiffness > 0 && one.stiffness != stiffness)
             model.skip_item("different slopes of *SURFACE BEHAVIOR (the largest counts for all)",
                             "",

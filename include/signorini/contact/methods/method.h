@@ -78,15 +78,16 @@ namespace Signorini
     virtual std::unique_ptr<ContactLaw>
     make_law(const GapOperator &contact) const;
 
-    /// Whether any pair of the scene has friction, which the scene tells its methods.
-    bool has_friction = false;
+    /// Whether any pair of the scene has friction, and whether any is tied, which the scene tells
+    /// its methods.
+    bool has_friction = false, has_ties = false;
 
     /// True if the law depends on the slip; then contact points have as many components as the
     /// dimension.
     virtual bool
     uses_slip() const
     {
-      return has_friction;
+      return has_friction || has_ties;
     }
 
     /// True if tractions depend on earlier load steps, by internal variables of the law or by the
