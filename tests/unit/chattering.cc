@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <sstream>
 
 #include "dense_problem.h"
 #include "two_blocks.h"
@@ -40,18 +39,17 @@ namespace
     const DenseProblem   problem = circle(*method);
     LinearSolverSettings direct;
     direct.preconditioner = "direct";
-    std::ostringstream log;
-    ConditionalOStream out(log, true);
-    TimerOutput        timer(out, TimerOutput::never, TimerOutput::wall_times);
+    Silence            silence;
     LinearElasticSolid bodies = problem.bodies();
     SolidHierarchy     hierarchies(bodies.stiffness(), 1);
-    ContactSolver      solver({}, direct, *method, bodies, problem.contact, {}, hierarchies, timer);
-    LA::Vector         u      = problem.load;
-    ContactState       state  = open_contact(problem.contact);
+    ContactSolver      solver(
+      {}, direct, *method, bodies, problem.contact, {}, hierarchies, silence.timer);
+    LA::Vector   u            = problem.load;
+    ContactState state        = open_contact(problem.contact);
     u                         = 0.;
     state.traction[0]         = 1e-3; // not a cold start, which would choose a better first set
-    const NewtonReport report = solver.newton.solve(u, state, print_steps(out));
-    CAPTURE(log.str());
+    const NewtonReport report = solver.newton.solve(u, state, print_steps(silence.out));
+    CAPTURE(silence.log.str());
     CHECK(report.converged);
     CHECK(report.steps.size() > 3);
     const std::array<double, 3> solution = {{0, -4. / 19, -11. / 19}};

@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include <sstream>
-
 #include "dense_problem.h"
 #include "two_blocks.h"
 
@@ -14,6 +12,14 @@ using namespace TestScene;
 
 namespace
 {
+  /// The displacements of the point, and the friction over the critical one.
+  struct Result
+  {
+    double u_n = 0, u_t = 0, friction_over_critical = 0;
+  };
+
+  constexpr double w = 1.5, f_n = -10, f_t = -9;
+
   /// A point on springs whose normal and tangential displacements are coupled by w, against a wall
   /// with friction (Klarbring, Ingenieur-Archiv 60 (1990) 529-541):
   ///
@@ -22,14 +28,8 @@ namespace
   /// Where it slips towards negative u_t, t = mu p and (1 - mu w) u_t = f_t - mu f_n: beyond mu =
   /// 1/w the tangent changes its sign, and the loads of this test have three solutions. It may slip
   /// with u_t = 2 (f_n - f_t), stick, or open.
-  struct Result
-  {
-    double u_n = 0, u_t = 0, friction_over_critical = 0;
-  };
-
-  constexpr double w = 1.5, f_n = -10, f_t = -9;
-
-  /// The solution that Newton's method finds from a state.
+  ///
+  /// @return the solution that Newton's method finds from a state.
   Result
   solve(const std::string           &name,
         const double                 friction,
@@ -52,15 +52,14 @@ namespace
     problem.contact.coefficients.friction = friction;
     LinearSolverSettings direct;
     direct.preconditioner = "direct";
-    std::ostringstream log;
-    ConditionalOStream out(log, true);
-    TimerOutput        timer(out, TimerOutput::never, TimerOutput::wall_times);
+    Silence            silence;
     LinearElasticSolid bodies = problem.bodies();
     SolidHierarchy     hierarchies(bodies.stiffness(), 1);
-    ContactSolver      solver({}, direct, *method, bodies, problem.contact, {}, hierarchies, timer);
-    LA::Vector         u     = problem.load;
-    ContactState       state = open_contact(problem.contact);
-    state.internal           = solver.law->initial_fields();
+    ContactSolver      solver(
+      {}, direct, *method, bodies, problem.contact, {}, hierarchies, silence.timer);
+    LA::Vector   u     = problem.load;
+    ContactState state = open_contact(problem.contact);
+    state.internal     = solver.law->initial_fields();
     for (const auto i : problem.owned)
       u(i) = start[i];
     for (const auto i : state.status.locally_owned_elements())
@@ -69,8 +68,8 @@ namespace
         for (unsigned int a = 0; a < 2; ++a)
           state.traction[a](i) = traction[a];
       }
-    const NewtonReport report = solver.newton.solve(u, state, print_steps(out));
-    INFO(log.str());
+    const NewtonReport report = solver.newton.solve(u, state, print_steps(silence.out));
+    INFO(silence.log.str());
     CHECK(report.converged);
     Result result;
     result.friction_over_critical = solver.newton.friction_over_critical(u, state);

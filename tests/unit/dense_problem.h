@@ -5,7 +5,11 @@
 #include "contact/constraints/gap_operator.h"
 #include "solver/solid_residual.h"
 
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <sstream>
 
 #include <Eigen/Core>
 
@@ -13,6 +17,14 @@ namespace TestScene
 {
   using namespace Signorini;
   using namespace dealii;
+
+  /// Output that is kept instead of printed, and a timer that prints nothing.
+  struct Silence
+  {
+    std::ostringstream log;
+    ConditionalOStream out{log, true};
+    TimerOutput        timer{out, TimerOutput::never, TimerOutput::wall_times};
+  };
 
   /// K u = f + B^T p with gaps g = B u + g_0 and areas of one; all on the first rank. With several
   /// components a point, the rows of B that follow each other are those of a point.

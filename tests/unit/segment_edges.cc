@@ -160,13 +160,6 @@ namespace
   private:
     const Eigen::Matrix2d springs;
   };
-
-  struct Silence
-  {
-    std::ostringstream log;
-    ConditionalOStream out{log, true};
-    TimerOutput        timer{out, TimerOutput::never, TimerOutput::wall_times};
-  };
 } // namespace
 
 
