@@ -22,9 +22,11 @@ namespace Signorini
       for (const auto i : s.gap.locally_owned_elements())
         if (s.active(i) > 0)
           {
-            double change = zeta[0](i) * s.gap(i);
+            const double gap =
+              s.gap(i) + s.contact.coefficients.overclosure(i, s.pressure(i)).value;
+            double change = zeta[0](i) * gap;
             for (unsigned int a = 1; a < zeta.size() && s.pressure(i) > 0; ++a)
-              change += zeta[a](i) * s.contact_state.traction[a](i) * s.gap(i) / s.pressure(i);
+              change += zeta[a](i) * s.contact_state.traction[a](i) * gap / s.pressure(i);
             sum += s.contact.weight(i) * change;
           }
       return Utilities::MPI::sum(sum, s.gap.get_mpi_communicator());

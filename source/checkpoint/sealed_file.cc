@@ -17,7 +17,7 @@ namespace Signorini
   {
     /// The first words of sealed files. The number is the version of their contents; files of other
     /// versions are rejected.
-    const std::string mark = "Signorini checkpoint 4";
+    const std::string mark = "Signorini checkpoint 5";
 
     /// @return whether all of a text could be written.
     bool

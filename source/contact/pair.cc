@@ -57,6 +57,7 @@ namespace Signorini
                 "fraction of the initial overlap (and of the initial gap of a no-separation pair) "
                 "that is applied, formula in t: 1: at once; t: linear ramp");
     friction.declare(section);
+    compliance.declare(section);
     section.add(
       "Search distance",
       search_distance,
@@ -93,6 +94,7 @@ namespace Signorini
         if (slave == master)
           section.fail("Law", "a surface cannot be tied to itself; set Law = contact");
       }
+    compliance.check_keys(section, !can_separate, is_tied || !friction.is_zero());
     slave_location  = section.source_of("Slave");
     master_location = section.source_of("Master");
     if (interference.depends_on_place())

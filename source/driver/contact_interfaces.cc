@@ -34,10 +34,11 @@ namespace Signorini
     // supports may move farther before they find contact.
     const double gap_decrease = std::max(largest_expected_approach(scene, elasticity.mesh()),
                                          touching * elasticity.mesh().size());
-    candidate_gap.assign(decisions.pairs.size(),
-                         elasticity.has_unsupported_modes() ?
-                           std::max(gap_decrease, elasticity.mesh().size() / 10) :
-                           gap_decrease);
+    for (const ContactPair<dim> &pair : decisions.pairs)
+      candidate_gap.push_back(pair.compliance.reach() +
+                              (elasticity.has_unsupported_modes() ?
+                                 std::max(gap_decrease, elasticity.mesh().size() / 10) :
+                                 gap_decrease));
   }
 
 
@@ -173,6 +174,7 @@ namespace Signorini
     contact = make_gap_operator(configuration, my_surfaces, *rows, method);
     // The penalty parameter of the error control applies to all pairs.
     contact->coefficients.epsilon *= decisions.penalty_factor;
+    set_compliance();
     if (contact->has_stress() && contact->theta != method.theta() && !noted_theta)
       {
         out
@@ -276,6 +278,27 @@ namespace Signorini
       set_friction(t, internal);
     if (!contact->S_thermal.empty())
       contact->set_temperature_change(elasticity.thermal().coefficients());
+  }
+
+
+
+  // The compliance of its pair at each point, if any pair has one.
+  template <int dim>
+  void
+  ContactInterfaces<dim>::set_compliance()
+  {
+    ContactCoefficients &of      = contact->coefficients;
+    bool                 is_null = true;
+    for (const ContactPair<dim> &pair : decisions.pairs)
+      {
+        is_null = is_null && pair.compliance.is_rigid();
+        of.has_nonlinear_compliance |= pair.compliance.is_nonlinear();
+      }
+    if (!is_null)
+      of.compliance_of = [this, points = contact->weight.locally_owned_elements()](
+                           const auto i) -> const ContactCompliance & {
+        return decisions.pairs[contact->origin.pair[points.index_within_set(i)]].compliance;
+      };
   }
 
 

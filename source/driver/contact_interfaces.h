@@ -156,6 +156,10 @@ namespace Signorini
     /// The accuracy of node positions in mesh files, relative to the size of the model.
     static constexpr double touching = 1e-6;
 
+    /// Let the points have the compliance of their pairs.
+    void
+    set_compliance();
+
     /// Set the friction coefficients of all points for a time.
     /// @param internal variables of the points at the start of the load step
     void

@@ -31,7 +31,7 @@ namespace Signorini
     // If surfaces move farther than this, search_radius_exceeded() detects it.
     constexpr double        room = 1.5;
     const ContactPair<dim> &pair = decisions.pairs[i];
-    const double            now  = room * last_approach[i],
+    const double            now  = room * last_approach[i] + pair.compliance.reach(),
                  so_far = pair.search_distance > 0 ? pair.search_distance : candidate_gap[i];
     // Gaps given by a formula do not depend on motions, and time-dependent ones change without
     // them.
@@ -65,7 +65,8 @@ namespace Signorini
         if (built_near_solution && !my_surfaces.empty())
           candidate_gap_near_solution[i] =
             std::max({candidate_gap_near_solution[i],
-                      my_surfaces[i].face_size / 2, // 0 where nothing is in reach
+                      decisions.pairs[i].compliance.reach() +
+                        my_surfaces[i].face_size / 2, // 0 where nothing is in reach
                       touching * elasticity.mesh().size()});
         const ContactPair<dim> &pair = decisions.pairs[i];
         const bool is_other = has_time_dependent_gap(pair) && elasticity.time() != build_time;
@@ -148,7 +149,7 @@ namespace Signorini
     for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {
         const ContactPair<dim> &pair     = decisions.pairs[i];
-        const double            approach = approaches[i];
+        const double            approach = approaches[i] + pair.compliance.reach();
         if (approach <= my_surfaces[i].candidate_gap || !pair.can_separate)
           continue;
         if (at_rest && known_tolerances[i].is_final)

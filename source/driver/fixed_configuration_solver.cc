@@ -161,7 +161,8 @@ namespace Signorini
 
 
   // Surfaces that just touch, with pressures of the size of rounding, have no friction, and count
-  // no slip, as if they were open: rounding must not decide from where it counts.
+  // no slip, as if they were open: rounding must not decide from where it counts. Tied ones stick
+  // without pressure.
   template <int dim>
   void
   FixedConfigurationSolver<dim>::forget_slip_without_pressure()
@@ -171,7 +172,8 @@ namespace Signorini
     InternalFields       &after  = my_contact.internal_at_end;
     const InternalFields &before = my_contact.internal;
     for (const auto i : my_contact.pressure().locally_owned_elements())
-      if (std::abs(my_contact.pressure()(i)) <= rounding)
+      if (std::abs(my_contact.pressure()(i)) <= rounding &&
+          status_of(contact.gap_operator().coefficients.least_status(i)) != ContactStatus::stick)
         {
           for (PointVectors &vector : after.vectors)
             for (LA::Vector &component : vector)

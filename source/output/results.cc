@@ -124,8 +124,18 @@ namespace Signorini
       }
     };
 
+    /// @return the gap without the overclosure of a compliant interface: zero where the law holds.
+    /// @param pressure true pressure
+    template <int dim>
+    double
+    rigid_gap(const ContactPair<dim> &pair, const double gap, const double pressure)
+    {
+      return gap + pair.compliance.overclosure(pressure).value;
+    }
+
     /// @return by how much a gap violates its condition, if positive: the penetration, or the
     /// distance for pairs without separation.
+    /// @param gap rigid_gap()
     template <int dim>
     double
     violation(const ContactPair<dim> &pair, const double gap)
@@ -143,12 +153,15 @@ namespace Signorini
       for (const auto i : s.pressure.locally_owned_elements())
         if (*which++ == pair)
           {
-            const double p = s.pressure(i), g = s.gap(i);
+            const double p     = s.pressure(i),
+                         rigid = rigid_gap(s.pairs[pair],
+                                           s.gap(i),
+                                           p / s.contact.coefficients.area_ratio(i));
             sums.points += 1;
             sums.active_points += s.active(i);
-            sums.penetration     = std::max(sums.penetration, violation(s.pairs[pair], g));
-            sums.minus_gap       = std::max(sums.minus_gap, -g);
-            sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
+            sums.penetration     = std::max(sums.penetration, violation(s.pairs[pair], rigid));
+            sums.minus_gap       = std::max<double>(sums.minus_gap, -s.gap(i));
+            sums.complementarity = std::max(sums.complementarity, std::abs(p * rigid));
           }
       // Extreme pressures are those of the recovered pressure, since the nodal pressures of degree
       // 2 are not accurate at points.
@@ -190,9 +203,10 @@ namespace Signorini
       std::array<double, 3> worst{{0, 0, 0}};
       for (unsigned int q = 0; q < values.gap.size(); ++q)
         {
-          worst[0] = std::max(worst[0], violation(s.pairs[pair], values.gap[q]));
-          worst[1] = std::max(worst[1], -values.pressure[q]);
-          worst[2] = std::max(worst[2], std::abs(values.gap[q] * values.pressure[q]));
+          const double p = values.pressure[q], rigid = rigid_gap(s.pairs[pair], values.gap[q], p);
+          worst[0] = std::max(worst[0], violation(s.pairs[pair], rigid));
+          worst[1] = std::max(worst[1], -p);
+          worst[2] = std::max(worst[2], std::abs(rigid * p));
         }
       for (double &x : worst)
         x = Utilities::MPI::max(x, s.elasticity.mesh().communicator());

@@ -82,7 +82,10 @@ namespace Signorini
         {
           // Sums and extreme values over the rows of the gap operator.
           extent.active += s.active(i) * s.contact.weight(i);
-          extent.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
+          // The overclosure of a compliant interface is no penetration.
+          extent.penetration -=
+            s.active(i) * s.contact.weight(i) *
+            std::min(0., s.gap(i) + s.contact.coefficients.overclosure(i, s.pressure(i)).value);
           extent.candidates += s.contact.weight(i);
           extent.smallest_reference_gap =
             std::min(extent.smallest_reference_gap, s.contact.reference_gap(i));

@@ -380,17 +380,48 @@ TEST_CASE("import: pieces, forces on nodes, linear contact; what is left out is 
   CHECK(scene.model == "plane stress");
   CHECK(scene.bodies[0].name == "piece1");
   CHECK(scene.bodies[0].degree == 2);
-  CHECK(scene.contact.method == "penalty");
-  CHECK(scene.contact.chosen().penalty({7, 3, 1}) == 1e4);
+  CHECK(scene.contact.method == "Lagrange multiplier");
   REQUIRE(scene.loads.size() == 3);
   CHECK(scene.loads[0].force.text() == "0; -1.66666666667*t/2");
   CHECK(scene.loads[2].nodes.sets.size() == 1);
   CHECK(scene.load_steps.ends() == std::vector<double>{2});
   REQUIRE(scene.pairs.size() == 1);
   CHECK(scene.pairs[0].friction.mu.text == "0.2");
-  says(scene.skipped_items,
-       "model: *FRICTION (the stick slope or slip rate, since sticking is exact): ");
-  says(messages, "not imported: model: *FRICTION");
+  CHECK(scene.pairs[0].compliance.normal_stiffness == 1e4);
+  CHECK(scene.pairs[0].compliance.tangential_stiffness == 1e4);
+}
+
+
+
+TEST_CASE("import: relations of pressure and overclosure")
+{
+  const auto compliance = [](const std::string &behaviour, const std::string &says_so = "") {
+    std::ifstream in(test_mesh("pieces.inp"));
+    std::string   deck((std::istreambuf_iterator<char>(in)), {});
+    const auto    at = deck.find("*SURFACE BEHAVIOR");
+    deck.replace(at, deck.find("*FRICTION") - at, "*SURFACE BEHAVIOR, " + behaviour);
+    const TemporaryFile file(deck, ".inp");
+    const auto [text, messages] = imported(file.path);
+    says(messages, says_so);
+    return checked<2>(text).pairs[0].compliance;
+  };
+  const auto exponential = compliance("PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.02, 3.\n");
+  CHECK(exponential.overclosure(3).value == doctest::Approx(0));
+  CHECK(exponential.overclosure(300).value == doctest::Approx(0.02));
+  CHECK(exponential.reach() == 0.02);
+  const auto table =
+    compliance("PRESSURE-OVERCLOSURE=TABULAR\n0., -0.2\n0., -0.1\n2., 0.1\n3., 0.15\n");
+  CHECK(table.reach() == 0.1);
+  CHECK(table.overclosure(1).value == doctest::Approx(0));
+  CHECK(table.overclosure(4).value == doctest::Approx(0.2));
+  CHECK(compliance("PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n2., 0.1\n2., 0.15\n",
+                   "does not increase from zero, contact is hard")
+          .kind == PressureOverclosure::hard);
+  CHECK(compliance("PRESSURE-OVERCLOSURE=EXPONENTIAL, NO SEPARATION\n0.02, 3.\n",
+                   "EXPONENTIAL with NO SEPARATION")
+          .kind == PressureOverclosure::hard);
+  CHECK(compliance("PRESSURE-OVERCLOSURE=TIED\n2e4\n").normal_stiffness == 2e4);
+  CHECK_THROWS_AS(compliance("PRESSURE-OVERCLOSURE=LINEAR\n0.\n"), SceneError);
 }
 
 

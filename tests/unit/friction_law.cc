@@ -83,6 +83,7 @@ namespace
     contact.coefficients.stiffness    = one_value(epsilon / 20);
     contact.coefficients.epsilon      = one_value(epsilon);
     contact.coefficients.friction     = one_value(friction);
+    contact.coefficients.area_ratio   = one_value(1);
     contact.tangential.B.resize(2);
     return contact;
   }
@@ -93,14 +94,17 @@ namespace
   {
     std::uniform_real_distribution<double> any(-1, 1);
     LawInput                               in;
-    in.internal = {{LawVector(), LawVector()}, {0., 0.}};
+    in.internal = {std::vector<LawVector>(3), {0., 0.}};
     for (unsigned int a = 0; a < 3; ++a)
       {
         in.gap[a]      = any(numbers) / epsilon;
         in.stress[a]   = any(numbers);
         in.traction[a] = any(numbers);
         if (a > 0)
-          in.internal.vectors[0][a] = any(numbers);
+          {
+            in.internal.vectors[0][a] = any(numbers);
+            in.internal.vectors[2][a] = any(numbers);
+          }
       }
     return in;
   }
@@ -115,11 +119,22 @@ TEST_CASE("law of Coulomb: derivatives against finite differences, for all choic
   GapOperator      contact = single_point(epsilon, friction);
   std::mt19937     numbers(1);
   unsigned int     count[3] = {0, 0, 0};
+  // A relation of pressure and overclosure with a gap where contact begins; and elastic slip.
+  ContactCompliance soft;
+  soft.kind                 = PressureOverclosure::linear;
+  soft.normal_stiffness     = 5;
+  soft.tangential_stiffness = 3;
   for (const auto &[shift, multipliers] : choices)
-    for (unsigned int sample = 0; sample < 400; ++sample)
+    for (unsigned int sample = 0; sample < 800; ++sample)
       {
+        if (sample % 2 == 0)
+          contact.coefficients.compliance_of = nullptr;
+        else
+          contact.coefficients.compliance_of = [&](const auto) -> const ContactCompliance & {
+            return soft;
+          };
         // Half of the samples have a coefficient that depends on the pressure.
-        if (sample >= 200)
+        if (sample >= 400)
           contact.coefficients.bound_of = [](unsigned int, const double p) {
             return friction * p / (1 + 2 * p);
           };
@@ -202,11 +217,8 @@ TEST_CASE(
             CHECK(size == doctest::Approx(friction * at.traction[0]));
             CHECK(at.traction[1] * trial[1] + at.traction[2] * trial[2] > 0);
           }
-        const bool is_stress = shift == PressureShift::normal_stress;
-        LawVector  kept      = is_stress ? in.stress - at.traction : at.traction;
-        kept[0]              = 0;
-        if (status == ContactStatus::open)
-          kept = LawVector();
+        LawVector kept = at.traction;
+        kept[0]        = 0;
         CHECK((at.internal.vectors[0] - kept).norm() == 0);
         // Without further slip the traction stays as it is, whatever slip the method has left.
         if (status == ContactStatus::open || shift == PressureShift::last_pressure)
@@ -252,4 +264,45 @@ TEST_CASE("law of Coulomb: the loop of a penalty has the dissipation of the clos
     }
   const double bound = friction * p;
   CHECK(work == doctest::Approx(4 * bound * (amplitude - bound / epsilon)).epsilon(3e-3));
+}
+
+
+
+// Whatever the method, closed points satisfy g = -d(p), and stick t = t_n - k s, where the law is
+// at rest: with p^ and t^ the tractions themselves.
+TEST_CASE("law of Coulomb: the solution with a compliant interface does not depend on the method")
+{
+  constexpr double  epsilon = 7, friction = 0.6, p = 2;
+  GapOperator       contact = single_point(epsilon, friction);
+  ContactCompliance soft;
+  soft.kind                          = PressureOverclosure::exponential;
+  soft.clearance                     = 0.3;
+  soft.pressure_at_zero_gap          = 0.5;
+  soft.tangential_stiffness          = 3;
+  contact.coefficients.compliance_of = [&](const auto) -> const ContactCompliance & {
+    return soft;
+  };
+  contact.coefficients.has_nonlinear_compliance = true;
+  const LawVector before({0, 0.3, -0.2}), slip({0, 0.1, 0.05});
+  for (const auto &[shift, multipliers] : choices)
+    {
+      CoulombFriction law(Choice(shift, multipliers), contact);
+      LawVector       traction = before - soft.tangential_stiffness * slip;
+      traction[0]              = p;
+      law.augment({one_value(traction[0]), one_value(traction[1]), one_value(traction[2])});
+      LawInput in;
+      in.gap      = slip;
+      in.gap[0]   = -soft.overclosure(p).value;
+      in.traction = in.stress = traction;
+      in.internal             = {{before, LawVector(), before}, {0., 0.}};
+      // Penalties are in series with the interface.
+      if (shift == PressureShift::none)
+        in.gap -= (traction - before) / epsilon;
+      const ContactStatus status = law.status(0, law.trial(0, in));
+      CHECK(status == ContactStatus::stick);
+      const LawResponse at = law.response(0, in, status);
+      CHECK((at.traction - traction).norm() < 1e-12);
+      if (multipliers)
+        CHECK(at.residual.norm() < 1e-12);
+    }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <signorini/contact/contact_compliance.h>
 #include <signorini/parameters/expression.h>
 
 #include <deal.II/base/point.h>
@@ -96,6 +97,7 @@ namespace Signorini
     bool                     keeps_gaps = false;
     Expression<dim>          interference{"1"}; ///< share of initial overlaps that counts at time t
     FrictionCoefficient<dim> friction;
+    ContactCompliance        compliance;
     /// Search radius [length]; 0: estimated by the program.
     double search_distance = 0;
     /// Directions along which the extents of the contact area are reported.

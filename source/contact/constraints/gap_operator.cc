@@ -37,6 +37,42 @@ namespace Signorini
 
 
 
+  ContactCompliance::Value
+  ContactCoefficients::overclosure(const types::global_dof_index point, const double pressure) const
+  {
+    if (!compliance_of)
+      return {0., 0.};
+    const double                   ratio  = area_ratio(point);
+    const ContactCompliance::Value result = compliance_of(point).overclosure(pressure / ratio);
+    return {result.value, result.derivative / ratio};
+  }
+
+
+
+  // Multiplied by the ratio of areas, (2.33) is the equation for true pressures with epsilon/ratio.
+  ContactCompliance::Value
+  ContactCoefficients::pressure(const types::global_dof_index point,
+                                const double                  trial,
+                                const double                  epsilon) const
+  {
+    if (!compliance_of)
+      return {trial, 1.};
+    const double                   ratio = area_ratio(point);
+    const ContactCompliance::Value result =
+      compliance_of(point).pressure(trial / ratio, epsilon / ratio);
+    return {ratio * result.value, result.derivative};
+  }
+
+
+
+  double
+  ContactCoefficients::tangential_compliance(const types::global_dof_index point) const
+  {
+    return compliance_of ? 1 / (area_ratio(point) * compliance_of(point).tangential_stiffness) : 0.;
+  }
+
+
+
   // g_0 of the rows = beta g_ref + offset (doc/theory, (5.2)); the factor beta of the pair applies
   // to penetrations and to all points of bilateral pairs.
   void

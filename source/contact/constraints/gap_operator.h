@@ -4,6 +4,7 @@
 #include "contact/constraints/contact_rows.h"
 #include "contact/constraints/regions.h"
 #include "linear_algebra/types.h"
+#include <signorini/contact/contact_compliance.h>
 
 #include <functional>
 #include <memory>
@@ -52,6 +53,23 @@ namespace Signorini
     /// The bound at a point for a pressure; zero in tension.
     FrictionBound
     friction_bound(dealii::types::global_dof_index point, double pressure) const;
+
+    /// The compliance of the interface at each point; null: it is rigid.
+    std::function<const ContactCompliance &(dealii::types::global_dof_index)> compliance_of;
+    /// True if any of them depends on the pressure.
+    bool has_nonlinear_compliance = false;
+
+    /// ContactCompliance::overclosure(), for a pressure per reference area.
+    ContactCompliance::Value
+    overclosure(dealii::types::global_dof_index point, double pressure) const;
+
+    /// ContactCompliance::pressure(), of pressures per reference area.
+    ContactCompliance::Value
+    pressure(dealii::types::global_dof_index point, double trial, double epsilon) const;
+
+    /// Slip per tangential traction per reference area, of points that stick [length^3/force].
+    double
+    tangential_compliance(dealii::types::global_dof_index point) const;
   };
 
   /// Positions and normals of the contact points, one vector for each space component; for moments

@@ -92,25 +92,41 @@ namespace Signorini
 
 
 
+  // With Nitsche's method sticking points keep the difference of stress and traction, whose slip
+  // would otherwise be made anew in each load step: bodies at rest would creep.
+  double
+  CoulombFriction::predicted(const Index point, const LawInput &in, const unsigned int a) const
+  {
+    const double before = in.internal.vectors[0][a];
+    return has_multiplier() ? in.traction[a] :
+           shift == PressureShift::normal_stress ?
+                              before + in.stress[a] - in.internal.vectors[2][a] :
+           shift == PressureShift::last_pressure ? last[a](point) :
+                                                   before;
+  }
+
+
+
   LawVector
   CoulombFriction::trial(const Index point, const LawInput &in) const
   {
     LawVector    result = normal.trial(point, in);
-    const double c = parameter(point), elastic = elastic_compliance(point);
+    const double c      = parameter(point);
     if (has_multiplier())
-      result[0] = in.traction[0] - c * (in.gap[0] + elastic * in.traction[0]);
+      {
+        const double rigid =
+          in.traction[0] - c * (in.gap[0] + elastic_compliance(point) * in.traction[0]);
+        result[0] = normal.trial_pressure(point, rigid, c).value;
+      }
+    const double elastic = tangential_compliance(point);
     for (unsigned int a = 1; a < n_components(); ++a)
       {
-        // With Nitsche's method sticking points keep the difference of stress and traction, whose
-        // slip would otherwise be made anew in each load step: bodies at rest would creep.
-        const double predicted = has_multiplier() ? in.traction[a] :
-                                 shift == PressureShift::normal_stress ?
-                                                    in.stress[a] - in.internal.vectors[0][a] :
-                                 shift == PressureShift::last_pressure ? last[a](point) :
-                                                                         in.internal.vectors[0][a];
-        // The slip of an unknown traction with compliance is that beyond the elastic one.
-        const double elastic_slip = elastic * (in.traction[a] - in.internal.vectors[0][a]);
-        result[a]                 = predicted - c * (in.gap[a] + elastic_slip);
+        const double before = in.internal.vectors[0][a],
+                     now    = predicted(point, in, a) - c * in.gap[a];
+        // The slip of an unknown traction with compliance is that beyond the elastic one. A
+        // traction that follows from the law is on both sides of the equation.
+        result[a] = has_multiplier() ? now - c * elastic * (in.traction[a] - before) :
+                                       (now + c * elastic * before) / (1 + c * elastic);
       }
     return result;
   }
@@ -160,32 +176,43 @@ namespace Signorini
     if (status == ContactStatus::open)
       return result;
 
-    const unsigned int                 n = n_components();
-    const double                       c = parameter(point), elastic = elastic_compliance(point);
+    const unsigned int                 n     = n_components();
+    const double                       c     = parameter(point);
     const LawVector                    tried = trial(point, in);
     ContactCoefficients::FrictionBound radius =
       contact.coefficients.friction_bound(point, tried[0]);
     if (has_given_bound)
       radius.by_pressure = 0;
     const DiscProjection allowed = project(tried, radius, status);
-    double               slip    = 0;
+    // Derivatives of trial components by that of a rigid interface, and of the latter by an unknown
+    // traction.
+    const double elastic = tangential_compliance(point);
+    LawVector    of_rigid, by_traction;
+    for (unsigned int b = 0; b < n; ++b)
+      {
+        of_rigid[b]    = b == 0 ?
+                           1 / (1 + c * contact.coefficients.overclosure(point, tried[0]).derivative) :
+                         has_multiplier() ? 1. :
+                                            1 / (1 + c * elastic);
+        by_traction[b] = 1 - c * (b == 0 ? elastic_compliance(point) : elastic);
+      }
+    double slip = 0;
     for (unsigned int a = 1; a < n; ++a)
       {
         // Without a multiplier the residual is what the next augmentation changes.
-        const double before = has_multiplier() ? in.traction[a] : tried[a] + c * in.gap[a];
-        result.traction[a]  = has_multiplier() ? in.traction[a] : allowed.traction[a];
-        result.residual[a]  = (before - allowed.traction[a]) / c;
-        result.internal.vectors[0][a] =
-          (shift == PressureShift::normal_stress ? in.stress[a] : 0.) +
-          (shift == PressureShift::normal_stress ? -1. : 1.) * result.traction[a];
+        result.traction[a]            = has_multiplier() ? in.traction[a] : allowed.traction[a];
+        result.residual[a]            = (predicted(point, in, a) - allowed.traction[a]) / c;
+        result.internal.vectors[0][a] = result.traction[a];
         result.internal.vectors[1][a] = in.internal.vectors[1][a] + in.gap[a];
+        if (shift == PressureShift::normal_stress)
+          result.internal.vectors[2][a] = in.stress[a];
         // The slip but for elastic slip, along the projection: zero where the point sticks.
-        const double lost = (result.traction[a] - tried[a]) / c;
+        const double lost = (result.traction[a] - tried[a]) / (c * of_rigid[a]);
         result.internal.scalars[0] -= result.traction[a] * lost;
         slip = std::hypot(slip, lost);
         for (unsigned int b = 0; b < n; ++b)
           {
-            const double by_trial        = allowed.by_trial[a][b];
+            const double by_trial        = allowed.by_trial[a][b] * of_rigid[b];
             result.residual_by_gap[a][b] = by_trial;
             if (!has_multiplier())
               {
@@ -193,9 +220,8 @@ namespace Signorini
                 result.by_stress[a][b] = shift == PressureShift::normal_stress ? by_trial : 0;
                 continue;
               }
-            const double trial_by_traction = 1 - c * elastic;
             result.residual_by_traction[a][b] =
-              ((a == b ? 1. : 0.) - by_trial * trial_by_traction) / c;
+              ((a == b ? 1. : 0.) - by_trial * by_traction[b]) / c;
           }
         if (has_multiplier() && elastic == 0)
           {

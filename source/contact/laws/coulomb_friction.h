@@ -20,9 +20,12 @@ namespace Signorini
   /// Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler, Wohlmuth, SIAM
   /// J. Sci. Comput. 30 (2008) 572-596). Points of tied pairs stick whatever their traction.
   ///
-  /// The internal variables are, at the end of the last load step: the tangential traction, with
-  /// Nitsche's method the tangential stress less the traction (vector 0); the slip since the point
-  /// came into contact (vector 1) [length]; the work per area that friction has taken from the
+  /// With a tangential compliance e of the interface the slip that remains to be zero where points
+  /// stick is s + e (t - t_n), so that t = Pi((t^ - c s + c e t_n)/(1 + c e)).
+  ///
+  /// The internal variables are, at the end of the last load step: the tangential traction (vector
+  /// 0); the slip since the point came into contact (vector 1) [length]; with Nitsche's method the
+  /// tangential stress (vector 2); the work per area that friction has taken from the
   /// bodies (scalar 0) [force/length]; and the length of the path of slip (scalar 1) [length]. The
   /// latter two are those of (t - (t^ - c s))/c, the slip without the elastic one of penalties, or
   /// that of the discretisation with Nitsche's method: the work is not negative. A point that opens
@@ -51,13 +54,13 @@ namespace Signorini
     bool
     has_constant_derivatives() const override
     {
-      return !has_friction;
+      return !has_friction && normal.has_constant_derivatives();
     }
 
     InternalVariables
     initial_variables() const override
     {
-      return {{LawVector(), LawVector()}, {0., 0.}};
+      return {std::vector<LawVector>(shift == PressureShift::normal_stress ? 3 : 2), {0., 0.}};
     }
 
     bool
@@ -131,6 +134,17 @@ namespace Signorini
     /// 1/eps where tractions are unknowns of a penalty law, else 0 [length^3/force].
     double
     elastic_compliance(Index point) const;
+
+    /// The same for the slip, and that of the interface.
+    double
+    tangential_compliance(const Index point) const
+    {
+      return elastic_compliance(point) + contact.coefficients.tangential_compliance(point);
+    }
+
+    /// A tangential component of t^.
+    double
+    predicted(Index point, const LawInput &in, unsigned int component) const;
 
     const bool    has_friction; ///< at any point; else points of tied pairs stick, others slip
     NormalContact normal;

@@ -51,6 +51,15 @@ namespace Signorini
 
 
 
+  ContactCompliance::Value
+  NormalContact::trial_pressure(const Index point, const double rigid, const double epsilon) const
+  {
+    const ContactCoefficients &of = contact.coefficients;
+    return of.pressure(point, rigid - epsilon * of.overclosure(point, 0).value, epsilon);
+  }
+
+
+
   // p^ - epsilon g of doc/theory, (2.1), with p^ of the method.
   LawVector
   NormalContact::trial(const Index point, const LawInput &in) const
@@ -60,7 +69,7 @@ namespace Signorini
                              pressure_shift == PressureShift::last_pressure ? last(point) :
                                                                               0.;
     LawVector    result;
-    result[0] = predicted - epsilon(point) * in.gap[0];
+    result[0] = trial_pressure(point, predicted - epsilon(point) * in.gap[0], epsilon(point)).value;
     return result;
   }
 
@@ -84,19 +93,30 @@ namespace Signorini
     LawResponse result;
     if (status == ContactStatus::open)
       return result;
-    result.residual[0]           = in.gap[0];
     result.residual_by_gap[0][0] = 1;
     if (!multiplier)
       {
-        result.traction        = trial(point, in);
-        result.by_gap[0][0]    = -epsilon(point);
-        result.by_stress[0][0] = pressure_shift == PressureShift::normal_stress ? 1. : 0.;
+        result.traction = trial(point, in);
+        const ContactCompliance::Value closure =
+          contact.coefficients.overclosure(point, result.traction[0]);
+        const double derivative = 1 / (1 + epsilon(point) * closure.derivative);
+        result.by_gap[0][0]     = -epsilon(point) * derivative;
+        result.by_stress[0][0]  = pressure_shift == PressureShift::normal_stress ? derivative : 0.;
+        result.residual[0]      = in.gap[0] + closure.value;
         return result;
       }
-    result.traction[0] = in.traction[0];
-    if (pressure_shift == PressureShift::none)
-      result.residual_by_traction[0][0] = 1 / epsilon(point);
-    result.residual[0] += result.residual_by_traction[0][0] * in.traction[0];
+    // The overclosure is evaluated at the trial pressure, so that steps of Newton's method are
+    // those of p = R(p - c (g + ...)), whose derivatives are bounded, while the overclosure is none
+    // of a negative pressure, and that of a small one may be steep. Divided by the derivative of R,
+    // the equation is symmetric.
+    const double elastic  = pressure_shift == PressureShift::none ? 1 / epsilon(point) : 0.;
+    const double c        = std::min(epsilon(point), contact.coefficients.stiffness(point));
+    const double distance = in.gap[0] + elastic * in.traction[0];
+    const ContactCompliance::Value tried = trial_pressure(point, in.traction[0] - c * distance, c),
+                                   closure = contact.coefficients.overclosure(point, tried.value);
+    result.traction[0]                     = in.traction[0];
+    result.residual[0]                     = (distance + closure.value) / tried.derivative;
+    result.residual_by_traction[0][0]      = elastic + closure.derivative;
     return result;
   }
 
@@ -115,7 +135,7 @@ namespace Signorini
       const double c          = std::min(epsilon(i), contact.coefficients.stiffness(i));
       const double p          = in.traction[0](i);
       LawVector    result;
-      result[0] = p - c * (in.gap[0](i) + compliance * p);
+      result[0] = trial_pressure(i, p - c * (in.gap[0](i) + compliance * p), c).value;
       return result;
     });
   }

@@ -14,7 +14,9 @@ namespace Signorini
   /// where the active set is where the maximum is positive. At points of bilateral pairs p = p^ -
   /// eps g, and they are always active. If the pressure is an independent unknown, the equation on
   /// active points is g + c p = 0, with the compliance c = 0, or c = 1/eps if p^ = 0 (perturbed
-  /// Lagrangian).
+  /// Lagrangian). The overclosure d(p) of a compliant interface is added to the gap in these
+  /// equations, so that p = (max(0, p^ - eps (g + d(0)))) with the resolvent of
+  /// ContactCompliance::pressure().
   class NormalContact : public ContactLaw
   {
   public:
@@ -56,6 +58,12 @@ namespace Signorini
     }
 
     bool
+    has_constant_derivatives() const override
+    {
+      return !contact.coefficients.has_nonlinear_compliance;
+    }
+
+    bool
     has_scaled_penalty() const override
     {
       return penalty_scale < 1;
@@ -67,7 +75,8 @@ namespace Signorini
     using ContactLaw::status;
     using ContactLaw::trial;
 
-    /// p^ - eps g, the pressure without the bound of the law.
+    /// p^ - eps g, the pressure without the bound of the law; positive values of compliant
+    /// interfaces are pressures already.
     LawVector
     trial(Index point, const LawInput &in) const override;
 
@@ -98,6 +107,12 @@ namespace Signorini
       return spring < 0 ? penalty_scale * contact.coefficients.epsilon(point) :
                           spring * contact.coefficients.stiffness(point);
     }
+
+    /// The trial pressure of an interface, and its derivative by p^ - eps g.
+    /// @param point the point @param rigid p^ - eps g, that of a rigid interface
+    /// @param epsilon the penalty parameter in it
+    ContactCompliance::Value
+    trial_pressure(Index point, double rigid, double epsilon) const;
 
   private:
     NormalContact(const GapOperator &contact,

@@ -4,6 +4,7 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <cmath>
 
 // The part of the reader for contact pairs.
 
@@ -51,7 +52,8 @@ namespace Signorini
 
 
 
-  // PRESSURE-OVERCLOSURE: HARD, LINEAR with a stiffness, or TIED.
+  // PRESSURE-OVERCLOSURE: HARD, LINEAR and TIED with a slope, EXPONENTIAL with clearance and
+  // pressure, TABULAR with lines of pressure and overclosure.
   void
   DeckReader::read_behaviour()
   {
@@ -64,33 +66,85 @@ namespace Signorini
     using Kind                   = DeckModel::Interaction::Kind;
     const std::string       kind = upper_case(in.value("PRESSURE-OVERCLOSURE"));
     DeckModel::Interaction &one  = model.interactions[interaction];
-    if (kind == "LINEAR" || kind == "TIED")
+    std::vector<Words>      lines;
+    for (Words words; in.next_line(words);)
+      lines.push_back(words);
+    one.kind = kind == "TIED" ? Kind::tied : Kind::separates;
+    one.overclosure.clear();
+    if (kind == "LINEAR" || (kind == "TIED" && !lines.empty()))
       {
-        Words words;
-        one.kind = kind == "TIED" ? Kind::tied : Kind::linear;
-        if (in.next_line(words))
-          one.stiffness = number(words, 0);
-        if (kind == "LINEAR" && !(one.stiffness > 0))
-          in.fail("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR needs a positive slope");
-        return;
+        const double slope = lines.empty() ? 0. : number(lines[0], 0);
+        if (!(slope > 0))
+          in.fail("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=" + kind + " needs a positive slope");
+        one.overclosure = {{"Pressure-overclosure", "linear"},
+                           {"Normal stiffness", long_text(slope)}};
       }
-    one.kind = Kind::hard;
-    if (!kind.empty() && kind != "HARD")
+    else if (kind == "EXPONENTIAL" || kind == "TABULAR")
+      read_soft_contact(kind == "TABULAR", lines, one);
+    else if (!kind.empty() && kind != "HARD" && kind != "TIED")
       skip_item(kind + "; contact is hard");
     // After first contact, such surfaces would stay together; before it they could move freely. The
     // pairs of the program either may separate or never do.
     if (in.has("NO SEPARATION"))
       {
         one.kind = Kind::never_separates;
+        if (!one.overclosure.empty() && kind != "LINEAR")
+          {
+            skip_item(kind + " with NO SEPARATION; contact is hard");
+            one.overclosure.clear();
+          }
         skip_item("NO SEPARATION; the surfaces stay together from the beginning");
       }
   }
 
 
 
+  // EXPONENTIAL of CalculiX is p0 100^(d/c0), as in the scene. That of Abaqus is another function
+  // of the same numbers, for which a table stands. The tables of both programs begin at zero
+  // pressure, and the last of such lines counts.
+  void
+  DeckReader::read_soft_contact(const bool                is_table,
+                                const std::vector<Words> &lines,
+                                DeckModel::Interaction   &one)
+  {
+    if (lines.empty() || lines[0].size() < 2)
+      in.fail("*SURFACE BEHAVIOR needs a line of two numbers");
+    using Line = std::pair<double, double>; // pressure, overclosure
+    std::vector<Line> table;
+    const double      first = number(lines[0], 0), second = number(lines[0], 1);
+    if (!is_table && model.deck.instances_of.empty())
+      {
+        one.overclosure = {{"Pressure-overclosure", "exponential"},
+                           {"Clearance", long_text(first)},
+                           {"Pressure at zero gap", long_text(second)}};
+        return;
+      }
+    if (is_table)
+      for (const Words &words : lines)
+        table.emplace_back(number(words, 0), number(words, 1));
+    else
+      for (double x = 0; x < 8.1; x += 0.125)
+        table.emplace_back(second / std::expm1(1.) * x * std::expm1(x), (x - 1) * first);
+    while (table.size() > 1 && table[1].first == 0)
+      table.erase(table.begin());
+    bool        is_increasing = table.size() > 1 && table[0].first == 0;
+    std::string text;
+    for (unsigned int i = 0; i < table.size(); ++i)
+      {
+        text += (i > 0 ? "; " : "") + long_text(table[i].first) + ", " + long_text(table[i].second);
+        is_increasing = is_increasing && (i == 0 || (table[i].first > table[i - 1].first &&
+                                                     table[i].second > table[i - 1].second));
+      }
+    if (is_increasing)
+      one.overclosure = {{"Pressure-overclosure", "tabular"}, {"Overclosure table", text}};
+    else
+      skip_item("a table that does not increase from zero; contact is hard");
+  }
+
+
+
   // Data lines: coefficient, then in CalculiX the stick slope, in Abaqus slip rate, pressure and
   // temperature; with EXPONENTIAL DECAY the static coefficient, the kinetic one and the decay.
-  // Sticking is exact here: slopes and tolerances of it have no counterpart.
   void
   DeckReader::read_friction()
   {
@@ -137,10 +191,10 @@ namespace Signorini
     const auto entry = [&](const Words &words, const unsigned int i) {
       return words.size() > i && !words[i].empty() ? number(words, i) : 0.;
     };
-    if (lines.size() == 1 && entry(lines[0], 1) != 0)
-      model.skip_item("*FRICTION (the stick slope or slip rate, since sticking is exact)",
-                      in.current_position(),
-                      "model");
+    // In decks with parts and instances, which are those of Abaqus, the second number is a slip
+    // rate.
+    if (lines.size() == 1 && model.deck.instances_of.empty())
+      one.stick_slope = entry(lines[0], 1);
     // Only what differs between lines is a dependence.
     const auto differs = [&](const unsigned int i) {
       return std::any_of(lines.begin(), lines.end(), [&](const Words &words) {

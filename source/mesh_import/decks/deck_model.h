@@ -149,15 +149,17 @@ namespace Signorini
     {
       enum class Kind
       {
-        hard,
-        linear,
+        separates,
         never_separates,
         tied
       };
 
-      Kind kind = Kind::hard;
-      /// Pressure per overlap of a linear law.
-      double stiffness = 0;
+      Kind kind = Kind::separates;
+      /// Keys of the scene, and their values, for the relation of pressure and overclosure; none:
+      /// hard.
+      std::vector<std::pair<std::string, std::string>> overclosure;
+      /// Shear stress per slip of surfaces that stick; 0: none given.
+      double stick_slope = 0;
       /// Coefficient of friction, a number or a formula in the pressure; empty: none.
       std::string friction;
       /// Largest shear stress of friction; 0: none given.

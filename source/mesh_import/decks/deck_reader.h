@@ -103,6 +103,8 @@ namespace Signorini
     void
     read_behaviour();
     void
+    read_soft_contact(bool is_table, const std::vector<Words> &lines, DeckModel::Interaction &one);
+    void
     read_friction();
     void
     read_pairs();

@@ -111,7 +111,7 @@ namespace Signorini
                           "",
                           "pair");
         using Kind      = DeckModel::Interaction::Kind;
-        const Kind kind = found == model.interactions.end() ? Kind::hard : found->second.kind;
+        const Kind kind = found == model.interactions.end() ? Kind::separates : found->second.kind;
         for (const std::string &slave : split(slaves, ','))
           for (const std::string &master : split(masters, ','))
             {
@@ -124,13 +124,24 @@ namespace Signorini
                 items.back().keys.emplace_back("Separation", "none");
               if (pair.farthest > 0)
                 items.back().keys.emplace_back("Search distance", long_text(pair.farthest));
-              if (kind != Kind::tied && found != model.interactions.end() &&
-                  !found->second.friction.empty() && found->second.friction != "0")
+              const bool has_friction = kind != Kind::tied && found != model.interactions.end() &&
+                                        !found->second.friction.empty() &&
+                                        found->second.friction != "0";
+              if (has_friction)
                 {
                   items.back().keys.emplace_back("Friction", found->second.friction);
                   if (found->second.shear_limit > 0)
                     items.back().keys.emplace_back("Friction limit",
                                                    long_text(found->second.shear_limit));
+                }
+              if (found != model.interactions.end())
+                {
+                  const auto &one = found->second;
+                  for (const auto &key : one.overclosure)
+                    items.back().keys.push_back(key);
+                  if (one.stick_slope > 0 && (kind == Kind::tied || has_friction))
+                    items.back().keys.emplace_back("Tangential stiffness",
+                                                   long_text(one.stick_slope));
                 }
               // A clearance of the deck replaces the gap that follows from the coordinates.
               const auto clearance =
@@ -145,42 +156,5 @@ namespace Signorini
             }
       }
     return section("Contact pairs", items);
-  }
-
-
-
-  /// @return the section of the contact method: a penalty method if all contact is linear,
-  /// otherwise none. One method holds for all pairs.
-  std::string
-  SceneWriter::method()
-  {
-    using Kind       = DeckModel::Interaction::Kind;
-    double stiffness = 0;
-    bool   has_hard  = false;
-    for (const auto &pair : model.pairs)
-      if (const auto found = model.interactions.find(pair.interaction);
-          found != model.interactions.end())
-        {
-          const auto &one = found->second;
-          has_hard |= one.kind == Kind::hard || one.kind == Kind::tied;
-          if (one.kind == Kind::linear && stiffness > 0 && one.stiffness != stiffness)
-            model.skip_item("different slopes of *SURFACE BEHAVIOR (the largest counts for all)",
-                            "",
-                            "material");
-          if (one.kind == Kind::linear)
-            stiffness = std::max(stiffness, one.stiffness);
-        }
-    if (stiffness == 0)
-      return "";
-    if (has_hard)
-      {
-        model.skip_item("the slope of linear contact beside a hard one (all contact is hard)",
-                        "",
-                        "material");
-        return "";
-      }
-    return "\nsubsection Contact method\n  set Method = penalty\n  subsection penalty\n    set "
-           "Stiffness = " +
-           long_text(stiffness) + "\n  end\nend\n";
   }
 } // namespace Signorini

@@ -239,8 +239,7 @@ namespace Signorini
     const std::string what_acts = supports() + loads(); // and makes sets of the bodies
     limit_steps_at_kinks();
     skip_paths_of_late_supports();
-    const std::string body =
-      bodies() + what_acts + pairs() + method() + steps() + unconstrained_modes();
+    const std::string body = bodies() + what_acts + pairs() + steps() + unconstrained_modes();
     scene << "# Made of " << file << "\nset Dimension = " << dim << "\n";
     if (dim == 2)
       scene << "set Model     = " << kind << "\n";

@@ -100,8 +100,6 @@ namespace Signorini
     std::string
     steps() const;
     std::string
-    method();
-    std::string
     unconstrained_modes() const;
 
     std::string

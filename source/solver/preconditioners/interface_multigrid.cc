@@ -10,17 +10,20 @@ namespace Signorini
   namespace
   {
     /// The contact stiffness for the multigrid levels [force/length]: that of the system at closed
-    /// points, the largest number where a multiplier enforces the constraint (LevelContactStiffness
-    /// limits it).
+    /// points; where a multiplier enforces the constraint, that without the multiplier, or the
+    /// largest number if there is no compliance (LevelContactStiffness limits it).
     PointVectors
     contact_stiffness(const ContactSystem &system)
     {
-      PointVectors D = system.contact_stiffness();
+      PointVectors      D = system.contact_stiffness();
+      const LA::Vector &A = system.coupling();
       for (unsigned int a = 0; a < D.size(); ++a)
         {
           for (const auto i : D[a].locally_owned_elements())
-            if (system.coupling()(i) != 0 && system.constraint()[a][a](i) != 0)
-              D[a](i) = std::numeric_limits<double>::max();
+            if (A(i) != 0 && system.constraint()[a][a](i) != 0)
+              D[a](i) = system.identity()[a][a](i) > 0 ?
+                          A(i) * system.constraint()[a][a](i) / system.identity()[a][a](i) :
+                          std::numeric_limits<double>::max();
           D[a].compress(VectorOperation::insert);
         }
       return D;
