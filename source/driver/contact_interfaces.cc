@@ -239,7 +239,8 @@ namespace Signorini
   ContactInterfaces<dim>::obstacle_without_projection() const
   {
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
-      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]))
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]);
+          obstacle && !obstacle->shape->is_attached())
         {
           const auto &points  = my_surfaces[i].points;
           const bool  unknown = std::any_of(points.begin(), points.end(), [&](const auto &point) {

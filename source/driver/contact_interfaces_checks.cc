@@ -19,7 +19,8 @@ namespace Signorini
     TimerOutput::Scope       scope(timer, "search");
     const Configuration<dim> start(elasticity, from);
     for (const ContactPair<dim> &pair : decisions.pairs)
-      if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair))
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
+          obstacle && !obstacle->shape->is_attached())
         if (obstacle_tunnels(start, to, pair.slave, *obstacle))
           throw SolverFailure("the obstacle '" + obstacle->name + "' would pass through '" +
                               pair.slave +
@@ -39,7 +40,8 @@ namespace Signorini
     const std::vector<bool>  idle = inactive_pairs(*contact, pressure, decisions.pairs.size());
     const Configuration<dim> now(elasticity, u);
     for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
-      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]))
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]);
+          obstacle && !obstacle->shape->is_attached())
         {
           const std::string &slave = decisions.pairs[i].slave;
           std::vector<bool>  seen; // those of the faces with contact points
@@ -68,6 +70,9 @@ namespace Signorini
     GeometryChange largest;
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
+        // With small strain, tied bodies are linear as one body is.
+        if (decisions.pairs[i].is_tied)
+          continue;
         // The force of each contact point: its shares of the tractions of the rows.
         std::vector<double> forces;
         for (const auto &shares : rows->shares[i])

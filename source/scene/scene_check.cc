@@ -126,6 +126,18 @@ namespace Signorini
                              pairs[i].name + "' have the same surfaces; remove one");
     }
 
+    /// Throws SceneError if a pair with an obstacle in the place of the slave can open.
+    template <int dim>
+    void
+    check_attached(const Scene<dim> &scene, const ContactPair<dim> &pair)
+    {
+      const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
+      if (obstacle && obstacle->shape->is_attached() && pair.can_separate)
+        throw SceneError(pair.master_location + ": '" + obstacle->name +
+                         "' is attached to the surface (Shape), and holds it; set Law = tied, or "
+                         "Separation = none, or another Shape");
+    }
+
     /// Throws SceneError for keys that do not apply to self-contact.
     template <int dim>
     void
@@ -215,6 +227,7 @@ namespace Signorini
         require("boundary or obstacle", {pair.master}, masters, pair.master_location, sets);
         if (pair.is_self())
           check_self(pair);
+        check_attached(*this, pair);
         if (obstacle_of(pair) && std::count(boundaries.begin(), boundaries.end(), pair.master))
           throw SceneError(pair.master_location +
                            ": is the name of a boundary and of an obstacle; rename the obstacle");

@@ -39,9 +39,14 @@ namespace Signorini
       std::vector<std::optional<Facing<dim>>> result;
       for (const auto &[point, force] : points)
         {
-          const auto place =
-            now.closest(obstacle, pose, slave.patches[point->face].position(point->xi));
-          result.push_back(Facing<dim>{place.gap, place.normal});
+          const auto there = now
+                               .partner(obstacle,
+                                        pose,
+                                        slave.patches[point->face],
+                                        slave.rest[point->face],
+                                        point->xi)
+                               .first;
+          result.push_back(Facing<dim>{there.gap, there.normal});
         }
       return result;
     }

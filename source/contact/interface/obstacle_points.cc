@@ -61,12 +61,12 @@ namespace Signorini
   // obstacles, so that nothing is exchanged.
   template <int dim>
   std::vector<PairedPoint<dim>>
-  obstacle_points(const Configuration<dim>          &configuration,
-                  const std::vector<FacePatch<dim>> &slave,
-                  const Obstacle<dim>               &obstacle,
-                  const Integration                 &integration,
-                  const double                       limit,
-                  const bool                         with_motion)
+  obstacle_points(const Configuration<dim> &configuration,
+                  const BoundaryFaces<dim> &slave,
+                  const Obstacle<dim>      &obstacle,
+                  const Integration        &integration,
+                  const double              limit,
+                  const bool                with_motion)
   {
     const auto           first = first_dof(configuration.elasticity(), obstacle);
     const RigidPose<dim> pose  = configuration.pose(obstacle);
@@ -74,18 +74,19 @@ namespace Signorini
       configuration.start() ? configuration.start()->pose(obstacle) : pose;
     const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
     std::vector<PairedPoint<dim>> points;
-    for (unsigned int i = 0; i < slave.size(); ++i)
+    for (unsigned int i = 0; i < slave.patches.size(); ++i)
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const Point<dim - 1> &xi = rule.point(q);
-          const Point<dim>      x  = slave[i].position(xi);
+          const Point<dim - 1> &xi   = rule.point(q);
+          const FacePatch<dim> &face = slave.patches[i];
+          const auto &[point_on_obstacle, place] =
+            configuration.partner(obstacle, pose, face, slave.rest[i], xi);
           // A point takes part if it is near enough and faces the obstacle.
-          const ObstaclePoint<dim> point_on_obstacle = configuration.closest(obstacle, pose, x);
-          if (std::abs(point_on_obstacle.gap) > search_radius(slave[i], limit) ||
-              !faces_each_other(slave[i].normal(xi), point_on_obstacle.normal))
+          if (std::abs(point_on_obstacle.gap) > search_radius(face, limit) ||
+              !faces_each_other(face.normal(xi), point_on_obstacle.normal))
             continue;
-          PairedPoint<dim> point{i, xi, rule.weight(q) * slave[i].jacobian(xi), {}};
-          point.master_point.position = x - point_on_obstacle.gap * point_on_obstacle.normal;
+          PairedPoint<dim> point{i, xi, rule.weight(q) * face.jacobian(xi), {}};
+          point.master_point.position = place;
           point.master_point.normal   = point_on_obstacle.normal;
           point.master_point.distance = std::abs(point_on_obstacle.gap);
           // An obstacle is rigid: infinite stiffness in series, infinite bound of the stress, so
@@ -107,10 +108,10 @@ namespace Signorini
             }
           if (!configuration.is_reference())
             point.master_point.second_variation =
-              second_variation_of_obstacle(point_on_obstacle, pose, x, first);
+              second_variation_of_obstacle(point_on_obstacle, pose, face.position(xi), first);
           points.push_back(std::move(point));
         }
-    keep_near_faces(slave, limit, points);
+    keep_near_faces(slave.patches, limit, points);
     return points;
   }
 
@@ -118,14 +119,14 @@ namespace Signorini
 
   template std::vector<PairedPoint<2>>
   obstacle_points(const Configuration<2> &,
-                  const std::vector<FacePatch<2>> &,
+                  const BoundaryFaces<2> &,
                   const Obstacle<2> &,
                   const Integration &,
                   double,
                   bool);
   template std::vector<PairedPoint<3>>
   obstacle_points(const Configuration<3> &,
-                  const std::vector<FacePatch<3>> &,
+                  const BoundaryFaces<3> &,
                   const Obstacle<3> &,
                   const Integration &,
                   double,

@@ -94,7 +94,7 @@ namespace Signorini
                    const Obstacle<dim>      &obstacle,
                    const BoundaryFaces<dim> &slave)
     {
-      if (configuration.is_reference())
+      if (configuration.is_reference() || obstacle.shape->is_attached())
         return;
       const double length = configuration.elasticity().rotation_length_scale();
       const bool   bad =
@@ -268,7 +268,7 @@ namespace Signorini
         const SlaveSide<dim> side(slave.patches, self ? &slave.rest : nullptr);
         if (obstacle)
           paired = obstacle_points(
-            configuration, slave.patches, *obstacle, integration, limit, method.uses_slip());
+            configuration, slave, *obstacle, integration, limit, method.uses_slip());
         else if (has_fixed_points)
           paired = reproject_points(side, fixed_points, master(), limit, comm, surface.statistics);
         else

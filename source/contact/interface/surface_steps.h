@@ -67,12 +67,12 @@ namespace Signorini
   /// @return the points with a projection, sorted by slave faces
   template <int dim>
   std::vector<PairedPoint<dim>>
-  obstacle_points(const Configuration<dim>          &configuration,
-                  const std::vector<FacePatch<dim>> &slave,
-                  const Obstacle<dim>               &obstacle,
-                  const Integration                 &integration,
-                  double                             limit,
-                  bool                               with_motion);
+  obstacle_points(const Configuration<dim> &configuration,
+                  const BoundaryFaces<dim> &slave,
+                  const Obstacle<dim>      &obstacle,
+                  const Integration        &integration,
+                  double                    limit,
+                  bool                      with_motion);
 
   /// Drop points of negligible weight: segments that only share a line with a face have no area.
   template <int dim>

@@ -23,7 +23,8 @@ namespace Signorini
                                     {"punch", make_punch<dim>},
                                     {"cone", make_cone<dim>},
                                     {"gap function", make_gap_function<dim>},
-                                    {"STL", make_stl<dim>}};
+                                    {"STL", make_stl<dim>},
+                                    {"attached", make_attached<dim>}};
   } // namespace
 
 

@@ -58,4 +58,9 @@ namespace Signorini
   template <int dim>
   std::unique_ptr<ObstacleShape<dim>>
   make_stl();
+
+  /// The surface of the slave itself, for rigid couplings and foundations.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_attached();
 } // namespace Signorini

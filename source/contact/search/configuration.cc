@@ -268,6 +268,27 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::pair<ObstaclePoint<dim>, Point<dim>>
+  Configuration<dim>::partner(const Obstacle<dim>  &obstacle,
+                              const RigidPose<dim> &pose,
+                              const FacePatch<dim> &face,
+                              const FacePatch<dim> &rest,
+                              const Point<dim - 1> &xi) const
+  {
+    const Point<dim> x = face.position(xi);
+    if (!obstacle.shape->is_attached())
+      {
+        const ObstaclePoint<dim> there = closest(obstacle, pose, x);
+        return {there, x - there.gap * there.normal};
+      }
+    const Point<dim>     y = at_rest ? x : pose.position(rest.position(xi));
+    const Tensor<1, dim> n = -face.normal(xi);
+    return {ObstaclePoint<dim>{(x - y) * n, n}, y};
+  }
+
+
+
   template class Configuration<2>;
   template class Configuration<3>;
 } // namespace Signorini

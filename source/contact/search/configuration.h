@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace Signorini
@@ -101,6 +102,20 @@ namespace Signorini
     closest(const Obstacle<dim>      &obstacle,
             const RigidPose<dim>     &pose,
             const dealii::Point<dim> &x) const;
+
+    /// The point of an obstacle that a point of a slave face is paired with, and its position: the
+    /// closest point; of an attached obstacle the one that was in the same place at the start, with
+    /// the normal of the face.
+    /// @param pose pose() of the obstacle
+    /// @param face the slave face in this configuration
+    /// @param rest the same in the reference configuration
+    /// @param xi the point, by the parameters of the face
+    std::pair<ObstaclePoint<dim>, dealii::Point<dim>>
+    partner(const Obstacle<dim>          &obstacle,
+            const RigidPose<dim>         &pose,
+            const FacePatch<dim>         &face,
+            const FacePatch<dim>         &rest,
+            const dealii::Point<dim - 1> &xi) const;
 
   private:
     /// A shape function at a node of a face's geometry.

@@ -24,6 +24,8 @@ namespace Signorini
     for (Words words; in.next_line(words);)
       {
         const unsigned int d = component(words, 1);
+        if (d >= 4 && d <= 6 && adds_moments(words[0], d, number(words, 2)))
+          continue;
         if (d < 1 || d > 3)
           model.skip_item("*CLOAD of moments and fluxes", in.current_position());
         else if (DeckModel::AtNodes *nodes = at_nodes(model.loaded, words[0]))

@@ -29,9 +29,11 @@ namespace Signorini
           "COUPLING",
           "CYCLIC SYMMETRY MODEL",
           "DISTRIBUTING",
+          "DISTRIBUTING COUPLING",
           "EMBEDDED ELEMENT",
           "EQUATION",
           "KINEMATIC",
+          "KINEMATIC COUPLING",
           "MPC",
           "RIGID BODY",
           "SPRING",
@@ -238,6 +240,28 @@ namespace Signorini
       }
     if (steps.empty() && !curve.empty())
       result.points[0].second = curve.back().value;
+    return result;
+  }
+
+
+
+  bool
+  DeckModel::is_reference(const unsigned int node) const
+  {
+    return std::any_of(couplings.begin(), couplings.end(), [&](const RigidCoupling &one) {
+      return one.reference == node || one.rotation == node;
+    });
+  }
+
+
+
+  std::vector<unsigned int>
+  DeckModel::nodes_of(const RigidCoupling &coupling) const
+  {
+    std::vector<unsigned int> result = coupling.nodes;
+    if (coupling.is_surface)
+      for (const Face &face : faces_of(coupling.name))
+        result.insert(result.end(), face.begin(), face.end());
     return result;
   }
 

@@ -109,7 +109,8 @@ namespace Signorini
       std::array<bool, 3>       components{{false, false, false}};
     };
 
-    /// Curves by index of node (or element) and component (0, 1, 2).
+    /// Curves by index of node (or element) and component (0, 1, 2); 3, 4, 5 are rotations and
+    /// moments at reference nodes of rigid couplings.
     using NodeCurves = std::map<std::pair<unsigned int, unsigned int>, Curve>;
 
     /// The corners of a face, sorted.
@@ -174,6 +175,22 @@ namespace Signorini
       double farthest;
     };
 
+    /// Nodes that follow a reference node rigidly.
+    struct RigidCoupling
+    {
+      /// Name of the set or surface of the nodes, and the keyword, for messages.
+      std::string name, keyword;
+      bool        is_surface = false;
+      /// Indices of the nodes; none for surfaces.
+      std::vector<unsigned int> nodes;
+      /// Index of the reference node.
+      unsigned int reference = 0;
+      /// Index of the node whose components are the rotation; none: those are components 4 to 6 of
+      /// the reference node.
+      std::optional<unsigned int> rotation;
+      std::array<bool, 3>         components{{true, true, true}};
+    };
+
     /// An initial gap [length] that is prescribed instead of that of the mesh.
     struct Clearance
     {
@@ -217,6 +234,7 @@ namespace Signorini
     std::map<std::string, Interaction> interactions;
     std::vector<Pair>                  pairs;
     std::vector<Clearance>             clearances;
+    std::vector<RigidCoupling>         couplings;
     /// Position in the file where geometric nonlinearity is first requested; empty: nowhere.
     std::string nlgeom;
 
@@ -240,6 +258,16 @@ namespace Signorini
     /// in step 1
     History
     history(const Curve &curve, bool is_initial = false) const;
+
+    /// @return whether a node is the reference node of a rigid coupling, or has its rotation.
+    /// @param node its index
+    bool
+    is_reference(unsigned int node) const;
+
+    /// @return the nodes of a coupling.
+    /// @param coupling one of the model
+    std::vector<unsigned int>
+    nodes_of(const RigidCoupling &coupling) const;
 
     /// @return the faces of a surface, each as sorted corners; none for a set of nodes.
     /// @param surface its name in any case

@@ -111,6 +111,16 @@ namespace Signorini
     void
     read_clearance();
 
+    // Rigid couplings
+    void
+    read_rigid_body();
+    void
+    begin_coupling();
+    void
+    read_kinematic();
+    unsigned int
+    node_of(const std::string &parameter);
+
     double
     number(const Words &words, unsigned int i) const;
     unsigned int
@@ -125,6 +135,10 @@ namespace Signorini
     at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target);
     void
     hold(const std::string &target, const std::vector<unsigned int> &components, double value);
+    bool
+    adds_moments(const std::string &target, unsigned int d, double value);
+    bool
+    holds_rotations(const std::string &target, unsigned int first, unsigned int last, double value);
     bool
     counts();
     /// Report parameters of the present keyword that are not among the known ones.
@@ -156,7 +170,9 @@ namespace Signorini
     KeywordFile in;
     DeckModel   model;
     std::string material, part, interaction;
-    bool        in_step = false, step_counts = false;
+    /// Of the last *COUPLING, whose kind the next keyword gives.
+    DeckModel::RigidCoupling coupling;
+    bool                     in_step = false, step_counts = false;
     /// Whether the present material has been defined before.
     bool         is_again        = false;
     unsigned int n_element_loads = 0;

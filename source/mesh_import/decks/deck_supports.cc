@@ -78,7 +78,7 @@ namespace Signorini
                              words.size() > 2 && !words[2].empty() ? component(words, 2) : first;
         if (last > 6)
           skip_item("of temperatures, fluxes and the like");
-        else if (last > 3)
+        else if (last > 3 && !holds_rotations(words[0], first, last, number(words, 3)))
           model.skip_item("*BOUNDARY of rotations", in.current_position());
         if (last < first)
           skip_item("whose last component is below the first");

@@ -98,6 +98,11 @@ namespace Signorini
   {
     std::vector<SceneItem> items;
     SetNames               names;
+    for (SceneItem one : coupled_pairs)
+      {
+        one.name = names.make_unique_name(one.name);
+        items.push_back(one);
+      }
     for (const auto &pair : model.pairs)
       {
         const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),

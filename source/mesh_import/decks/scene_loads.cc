@@ -144,23 +144,34 @@ namespace Signorini
 
 
 
+  /// @return the number of cells at each face of the bodies.
+  std::map<DeckModel::Face, unsigned int>
+  SceneWriter::cells_at_faces() const
+  {
+    std::map<DeckModel::Face, unsigned int> n_cells;
+    for (unsigned int e = 0; e < model.deck.mesh.elements.size(); ++e)
+      if (std::any_of(all.begin(), all.end(), [&](const Body &body) {
+            return body.has_element[e];
+          }))
+        for (DeckModel::Face face : abaqus_faces(model.deck.mesh.elements[e], ""))
+          {
+            std::sort(face.begin(), face.end());
+            ++n_cells[face];
+          }
+    return n_cells;
+  }
+
+
+
   /// Remove pressures on faces that two elements share, which are inside of bodies, and report
   /// them.
   void
   SceneWriter::skip_internal_pressures()
   {
-    std::map<DeckModel::Face, unsigned int> n_cells;
-    if (!model.pressures.empty())
-      for (unsigned int e = 0; e < model.deck.mesh.elements.size(); ++e)
-        if (std::any_of(all.begin(), all.end(), [&](const Body &body) {
-              return body.has_element[e];
-            }))
-          for (DeckModel::Face face : abaqus_faces(model.deck.mesh.elements[e], ""))
-            {
-              std::sort(face.begin(), face.end());
-              ++n_cells[face];
-            }
-    const std::size_t before = model.pressures.size();
+    if (model.pressures.empty())
+      return;
+    const std::map<DeckModel::Face, unsigned int> n_cells = cells_at_faces();
+    const std::size_t                             before  = model.pressures.size();
     for (auto one = model.pressures.begin(); one != model.pressures.end();)
       {
         const auto found = n_cells.find(one->first);

@@ -236,10 +236,12 @@ namespace Signorini
   {
     // All sections are written before the header, since they add to the list of omissions, and
     // loads and supports add sets to the bodies.
+    const std::string rigid     = obstacles();          // before supports, of which it takes some
     const std::string what_acts = supports() + loads(); // and makes sets of the bodies
     limit_steps_at_kinks();
     skip_paths_of_late_supports();
-    const std::string body = bodies() + what_acts + pairs() + steps() + unconstrained_modes();
+    const std::string body =
+      bodies() + rigid + what_acts + pairs() + steps() + unconstrained_modes();
     scene << "# Made of " << file << "\nset Dimension = " << dim << "\n";
     if (dim == 2)
       scene << "set Model     = " << kind << "\n";

@@ -96,6 +96,18 @@ namespace Signorini
     std::vector<SceneItem>
     gravity();
     std::string
+    obstacles();
+    std::string
+    coupled_surfaces(const DeckModel::RigidCoupling &one);
+    std::string
+    component_at(const DeckModel::NodeCurves &curves,
+                 std::optional<unsigned int>  node,
+                 unsigned int                 component,
+                 const std::string           &otherwise,
+                 double                       factor);
+    void
+    forget_reference_nodes();
+    std::string
     pairs();
     std::string
     steps() const;
@@ -110,6 +122,8 @@ namespace Signorini
     faces_of(const std::vector<DeckModel::Face> &faces, const std::string &name);
     std::string
     cells_of(const std::vector<unsigned int> &elements, const std::string &name);
+    std::map<DeckModel::Face, unsigned int>
+    cells_at_faces() const;
     void
     skip_internal_pressures();
     std::vector<double>
@@ -150,6 +164,8 @@ namespace Signorini
     SetNames set_names;
     /// Times within steps at which loads and supports have kinks.
     std::set<double> kinks;
+    /// Pairs of rigid couplings.
+    std::vector<SceneItem> coupled_pairs;
     /// Supports that begin in a later step, with their times.
     std::vector<std::pair<std::string, double>> late_supports;
   };

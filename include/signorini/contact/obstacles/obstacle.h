@@ -58,6 +58,14 @@ namespace Signorini
     virtual ObstaclePoint<dim>
     closest(const dealii::Point<dim> &x) const = 0;
 
+    /// True if the obstacle has no surface of its own, but that of the slave: each slave point is
+    /// paired with the point of the rigid body that was in the same place at the start.
+    virtual bool
+    is_attached() const
+    {
+      return false;
+    }
+
     /// False if only the gap of the reference configuration is known, so that the shape has no
     /// closest-point projection.
     virtual bool

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_import/decks/deck_reader.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+
+// The part of the reader for rigid couplings.
+
+namespace Signorini
+{
+  /// @return the index of the node that a parameter of the present keyword names.
+  unsigned int
+  DeckReader::node_of(const std::string &parameter)
+  {
+    const std::vector<unsigned int> nodes = nodes_of(in.value(parameter));
+    if (nodes.size() != 1)
+      in.fail("*" + in.keyword() + ", " + parameter + "=" + in.value(parameter) +
+              " is not one node");
+    return nodes[0];
+  }
+
+
+
+  // All nodes of a set, or of the elements of a set, follow the reference node. Nodes of solids
+  // have no rotations, so that TIE NSET and PIN NSET of Abaqus are the same.
+  void
+  DeckReader::read_rigid_body()
+  {
+    DeckModel::RigidCoupling one;
+    one.keyword = "*RIGID BODY";
+    for (const char *const set : {"NSET", "TIE NSET", "PIN NSET"})
+      if (in.has(set))
+        {
+          const std::vector<unsigned int> more = nodes_of(in.value(set));
+          one.name                             = in.value(set);
+          one.nodes.insert(one.nodes.end(), more.begin(), more.end());
+        }
+    if (in.has("ELSET"))
+      {
+        one.name = in.value("ELSET");
+        for (const unsigned int e : elements_of(one.name))
+          one.nodes.insert(one.nodes.end(),
+                           model.deck.mesh.elements[e].nodes.begin(),
+                           model.deck.mesh.elements[e].nodes.end());
+      }
+    if (in.has("ANALYTICAL SURFACE"))
+      {
+        skip_item("an analytical surface");
+        model.lacks_supports = true;
+        return;
+      }
+    one.reference = node_of("REF NODE");
+    if (in.has("ROT NODE"))
+      one.rotation = node_of("ROT NODE");
+    std::sort(one.nodes.begin(), one.nodes.end());
+    one.nodes.erase(std::unique(one.nodes.begin(), one.nodes.end()), one.nodes.end());
+    model.couplings.push_back(one);
+  }
+
+
+
+  // *KINEMATIC or *DISTRIBUTING follows.
+  void
+  DeckReader::begin_coupling()
+  {
+    coupling            = {};
+    coupling.keyword    = "*COUPLING";
+    coupling.name       = in.value("SURFACE");
+    coupling.is_surface = !model.faces_of(coupling.name).empty();
+    if (!coupling.is_surface)
+      coupling.nodes = nodes_of(coupling.name);
+    coupling.reference = node_of("REF NODE");
+  }
+
+
+
+  // Data lines: first and last component of the surface that follow, from 1; none: all do.
+  void
+  DeckReader::read_kinematic()
+  {
+    if (coupling.keyword.empty())
+      in.fail("*KINEMATIC without *COUPLING above");
+    bool is_first = true;
+    for (Words words; in.next_line(words); is_first = false)
+      {
+        if (is_first)
+          coupling.components.fill(false);
+        const unsigned int first = component(words, 0),
+                           last =
+                             words.size() > 1 && !words[1].empty() ? component(words, 1) : first;
+        for (unsigned int d = std::max(first, 1u); d <= std::min(last, 3u); ++d)
+          coupling.components[d - 1] = true;
+      }
+    model.couplings.push_back(coupling);
+    coupling = {};
+  }
+
+
+
+  // Add a moment about axis d - 3 (d = 4 to 6) to the reference nodes of a target. Returns false if
+  // it has other nodes.
+  bool
+  DeckReader::adds_moments(const std::string &target, const unsigned int d, const double value)
+  {
+    const std::vector<unsigned int> nodes = nodes_of(target);
+    for (const unsigned int node : nodes)
+      if (model.is_reference(node))
+        add(model.forces[{node, d - 1}], value);
+    return std::all_of(nodes.begin(), nodes.end(), [&](const unsigned int node) {
+      return model.is_reference(node);
+    });
+  }
+
+
+
+  // Prescribe rotations first to last (4 to 6) of the reference nodes of a target. Returns false if
+  // it has other nodes: they have no rotations.
+  bool
+  DeckReader::holds_rotations(const std::string &target,
+                              const unsigned int first,
+                              const unsigned int last,
+                              const double       value)
+  {
+    const std::vector<unsigned int> nodes = nodes_of(target);
+    for (const unsigned int node : nodes)
+      for (unsigned int d = std::max(first, 4u); d <= std::min(last, 6u); ++d)
+        if (model.is_reference(node))
+          replace(model.supports[{node, d - 1}], value);
+    return std::all_of(nodes.begin(), nodes.end(), [&](const unsigned int node) {
+      return model.is_reference(node);
+    });
+  }
+} // namespace Signorini

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_import/decks/scene_text.h"
+#include "mesh_import/decks/scene_writer.h"
+#include "mesh_import/formats/abaqus_elements.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+
+// Rigid couplings: obstacles that are attached to surfaces, and tied pairs with them.
+
+namespace Signorini
+{
+  /// @return the surfaces "BODY.SET, ..." that follow a reference node; empty, with a report, if
+  /// there are none. Nodes that are on no whole face of a solid are reported.
+  std::string
+  SceneWriter::coupled_surfaces(const DeckModel::RigidCoupling &one)
+  {
+    if (one.is_surface)
+      return surfaces(one.name, "a coupling");
+    std::vector<bool> is_coupled(model.deck.mesh.nodes.size(), false);
+    for (const unsigned int node : one.nodes)
+      is_coupled[node] = true;
+    // Faces of one cell only are outside. Nodes of bodies that are rigid as a whole follow their
+    // surfaces.
+    std::vector<DeckModel::Face> faces;
+    std::vector<bool>            follows(is_coupled.size(), false);
+    for (const auto &[face, n_cells] : cells_at_faces())
+      if (n_cells == 1 && std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
+            return is_coupled[node];
+          }))
+        {
+          faces.push_back(face);
+          for (const unsigned int node : face)
+            follows[node] = true;
+        }
+    std::size_t n_left = 0;
+    for (const Body &body : all)
+      {
+        std::vector<bool> is_corner(is_coupled.size(), false);
+        for (unsigned int e = 0; e < model.deck.mesh.elements.size(); ++e)
+          if (body.has_element[e])
+            for (const auto &face : abaqus_faces(model.deck.mesh.elements[e], ""))
+              for (const unsigned int node : face)
+                is_corner[node] = true;
+        std::size_t n = 0, n_corners = 0, n_coupled = 0;
+        for (unsigned int i = 0; i < is_corner.size(); ++i)
+          {
+            n_corners += is_corner[i];
+            n_coupled += is_corner[i] && is_coupled[i];
+            n += is_corner[i] && is_coupled[i] && !follows[i];
+          }
+        n_left += n_coupled == n_corners ? 0 : n;
+      }
+    if (n_left > 0 || faces.empty())
+      {
+        model.skip_item(one.keyword + " of " +
+                          (faces.empty() ? "nodes" : std::to_string(n_left) + " nodes") + " of '" +
+                          one.name + "', which are on no whole face of a solid",
+                        "",
+                        "support");
+        model.lacks_supports = true;
+      }
+    return faces.empty() ?
+             "" :
+             faces_of(faces, set_names.make_unique_name("rigid " + as_name(one.name)));
+  }
+
+
+
+  /// @return a formula of a component of a motion or force of a node; `otherwise` if it has none.
+  std::string
+  SceneWriter::component_at(const DeckModel::NodeCurves      &curves,
+                            const std::optional<unsigned int> node,
+                            const unsigned int                component,
+                            const std::string                &otherwise,
+                            const double                      factor)
+  {
+    const auto found = node ? curves.find({*node, component}) : curves.end();
+    if (found == curves.end())
+      return otherwise;
+    const DeckModel::History &course = history(histories.number(found->second));
+    if (&curves == &model.supports && !model.steps.empty() &&
+        (course.spans.size() != 1 || course.spans[0].first > 0 ||
+         course.spans[0].second < model.steps.back().end))
+      model.skip_item(
+        "*BOUNDARY of a reference node that begins or ends in a step (it acts always)",
+        "",
+        "support");
+    return formula(course.points, factor);
+  }
+
+
+
+  // The components of a reference node that nothing prescribes are free, and its forces and moments
+  // drive them.
+  std::string
+  SceneWriter::obstacles()
+  {
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const DeckModel::RigidCoupling &one : model.couplings)
+      {
+        const bool is_whole = std::all_of(one.components.begin(),
+                                          one.components.begin() + dim,
+                                          [](const bool c) { return c; });
+        if (!is_whole)
+          {
+            model.skip_item("*KINEMATIC of some components only", "", "support");
+            model.lacks_supports = true;
+            continue;
+          }
+        const std::string where = coupled_surfaces(one);
+        if (where.empty())
+          continue;
+        // Forces and moments of plane scenes are per thickness.
+        const double             factor      = 1 / thickness_at(model.nodes_of(one));
+        const unsigned int       n_rotations = dim == 2 ? 1 : 3;
+        std::vector<std::string> place, motion, force, rotation, moment;
+        const auto               component = [&](const auto        &curves,
+                                   const bool         rotates,
+                                   const unsigned int d,
+                                   const std::string &otherwise,
+                                   const double       by) {
+          if (!rotates)
+            return component_at(curves, one.reference, d, otherwise, by);
+          return one.rotation ? component_at(curves, one.rotation, d, otherwise, by) :
+                                              component_at(curves, one.reference, 3 + d, otherwise, by);
+        };
+        const auto add = [&](const bool rotates, const unsigned int d) {
+          const std::string given = component(model.supports, rotates, d, "free", 1);
+          (rotates ? rotation : motion).push_back(given);
+          (rotates ? moment : force)
+            .push_back(given == "free" ? component(model.forces, rotates, d, "0", factor) : "0");
+        };
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            place.push_back(long_text(model.deck.mesh.nodes[one.reference][d]));
+            add(false, d);
+          }
+        for (unsigned int d = 0; d < n_rotations; ++d)
+          add(true, dim == 2 ? 2 : d);
+        const std::string name = names.make_unique_name("reference of " + as_name(one.name));
+        items.push_back({name,
+                         {{"Shape", "attached"},
+                          {"Reference point", join(place)},
+                          {"Displacement", join(motion, "; ")},
+                          {"Rotation", join(rotation, "; ")}}});
+        for (const auto &[key, values] : {std::make_pair("Force", force), {"Moment", moment}})
+          if (std::any_of(values.begin(), values.end(), [](const auto &x) { return x != "0"; }))
+            items.back().keys.emplace_back(key, join(values, "; "));
+        for (const std::string &slave : split(where, ','))
+          coupled_pairs.push_back({"coupling of " + as_name(one.name),
+                                   {{"Slave", slave}, {"Master", name}, {"Law", "tied"}}});
+      }
+    forget_reference_nodes();
+    return section("Obstacles", items);
+  }
+
+
+
+  /// Their supports and forces are those of obstacles.
+  void
+  SceneWriter::forget_reference_nodes()
+  {
+    for (auto *list : {&model.supported, &model.loaded})
+      {
+        for (DeckModel::AtNodes &at : *list)
+          at.nodes.erase(std::remove_if(at.nodes.begin(),
+                                        at.nodes.end(),
+                                        [&](const unsigned int node) {
+                                          return model.is_reference(node);
+                                        }),
+                         at.nodes.end());
+        list->erase(std::remove_if(list->begin(),
+                                   list->end(),
+                                   [](const auto &at) { return at.nodes.empty(); }),
+                    list->end());
+      }
+  }
+} // namespace Signorini
