@@ -115,7 +115,8 @@ namespace Signorini
             std::max(largest,
                      load.traction.value(x, t).norm() + std::abs(load.pressure.value(x, t)) +
                        load.body_force.value(x, t).norm() * size +
-                       (load.force.value(x, t).norm() + load.total_force.value(x, t).norm()) /
+                       (load.force.value(x, t).norm() + load.total_force.value(x, t).norm() +
+                        load.total_moment.value(x, t).norm() / size) /
                          std::pow(size, dim - 1));
       return largest;
     }

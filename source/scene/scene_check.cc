@@ -82,6 +82,11 @@ namespace Signorini
     {
       if (model_of(scene.model) != Model::axisymmetric)
         return;
+      for (const Load<dim> &load : scene.loads)
+        if (load.total_moment.given() || !load.reference.empty())
+          throw SceneError(load.place +
+                           ": with Model = axisymmetric a load has no Total moment and no "
+                           "Reference point; remove these");
       for (const Obstacle<dim> &obstacle : scene.obstacles)
         {
           const RigidBody<dim> &body = obstacle.body;

@@ -129,6 +129,13 @@ namespace Signorini
       total_force,
       "on all Boundaries together, as a uniform traction, or shared equally by the Nodes: "
       "one formula in t a component, separated by ';' [force]");
+    section.add("Total moment",
+                total_moment,
+                "on all Boundaries together, by a traction that is linear in the place; about the "
+                "Reference point: formulas in t [force*length]");
+    section.add("Reference point",
+                reference,
+                "point of action of the Total force on Boundaries; empty: their centre [length]");
     nodes.declare(section, dim, "where the force acts,");
     section.add("Force",
                 force,
@@ -160,6 +167,15 @@ namespace Signorini
       section.fail("Total force", "is set with both Boundaries and Nodes; define two loads");
     if (total_force.given() && boundaries.empty() && nodes.empty())
       section.fail("Total force", "requires Boundaries or Nodes");
+    if (boundaries.empty() && (total_moment.given() || !reference.empty()))
+      section.fail(total_moment.given() ? "Total moment" : "Reference point",
+                   "requires Boundaries");
+    if (!reference.empty() && reference.size() != dim)
+      section.fail("Reference point", "must have " + std::to_string(dim) + " coordinates");
+    if (!reference.empty() && !has_resultant())
+      section.fail("Reference point", "has no effect without Total force or Total moment");
+    if (total_moment.depends_on_place())
+      section.fail("Total moment", "must not depend on x, y or z; use formulas in t alone");
     if (total_force.depends_on_place())
       section.fail("Total force", "must not depend on x, y or z; use a formula in t alone");
     if (!bodies.empty() && body_force.empty())
@@ -168,10 +184,12 @@ namespace Signorini
       section.fail("Bodies", "is required with a Body force");
     // A pressure may be the formula 0 on purpose; that its key is set tells it from a forgotten
     // load.
-    const bool acts = !traction.empty() || section.is_set("Pressure") || total_force.given();
+    const bool acts = !traction.empty() || section.is_set("Pressure") || total_force.given() ||
+                      total_moment.given();
     if (!boundaries.empty() && !acts)
-      section.fail("Traction",
-                   "one of Traction, Pressure or Total force is required with Boundaries");
+      section.fail(
+        "Traction",
+        "one of Traction, Pressure, Total force or Total moment is required with Boundaries");
   }
 
 

@@ -30,8 +30,8 @@ namespace Signorini
 
 
 
-  // Loads are stored by boundary id, so that a face finds its own without a search. Total forces
-  // need the area of their boundaries first.
+  // Loads are stored by boundary id, so that a face finds its own without a search. Resultants need
+  // integrals over their boundaries first.
   template <int dim>
   SurfaceLoads<dim>::SurfaceLoads(const Mesh<dim>              &mesh,
                                   const hp::FECollection<dim>  &elements,
@@ -45,22 +45,23 @@ namespace Signorini
         for (const types::boundary_id id : boundaries_of(mesh, load))
           by_boundary[id].push_back(&load);
         // A total force at nodes is no surface load; see NodalForces.
-        if (load.total_force.given() && !load.boundaries.empty())
-          areas[&load] = 0;
+        if (load.has_resultant())
+          resultants[&load] = {};
       }
-    if (!areas.empty())
-      measure_boundaries(mesh, elements, model);
+    if (!resultants.empty())
+      distribute_resultants(mesh, elements, model);
   }
 
 
 
-  // The areas of loads with a total force, by the quadrature that integrates the traction, so that
-  // the resultant is exact. Collective.
+  // The quadrature is that which integrates the traction, so that resultants are exact.
   template <int dim>
+  template <typename F>
   void
-  SurfaceLoads<dim>::measure_boundaries(const Mesh<dim>             &mesh,
-                                        const hp::FECollection<dim> &elements,
-                                        const Model                  model)
+  SurfaceLoads<dim>::for_each_point(const Mesh<dim>             &mesh,
+                                    const hp::FECollection<dim> &elements,
+                                    const Model                  model,
+                                    const F                     &add)
   {
     const hp::FECollection<dim> scalars = scalar_elements(elements); // the values refer to it
     hp::FEFaceValues<dim>       all_values(mesh.surface_mappings(),
@@ -75,15 +76,58 @@ namespace Signorini
             {
               all_values.reinit(cell, f, 0, 0, 0);
               const FEFaceValues<dim> &values = all_values.get_present_fe_values();
-              double                   area   = 0;
               for (const unsigned int q : values.quadrature_point_indices())
-                area += values.JxW(q) * measure(model, values.quadrature_point(q));
-              for (const Load<dim> *load : found->second)
-                if (const auto of_load = areas.find(load); of_load != areas.end())
-                  of_load->second += area;
+                for (const Load<dim> *load : found->second)
+                  if (const auto of_load = resultants.find(load); of_load != resultants.end())
+                    {
+                      const Point<dim> &x = values.quadrature_point(q);
+                      add(of_load->second, x, values.JxW(q) * measure(model, x));
+                    }
             }
-    for (auto &[load, area] : areas)
-      area = Utilities::MPI::sum(area, mesh.communicator());
+  }
+
+
+
+  // First areas and centres, then moments of inertia about these. The moment about the centre is M
+  // + (x_ref - c) x F.
+  template <int dim>
+  void
+  SurfaceLoads<dim>::distribute_resultants(const Mesh<dim>             &mesh,
+                                           const hp::FECollection<dim> &elements,
+                                           const Model                  model)
+  {
+    using Traction = LinearTraction;
+    for_each_point(mesh, elements, model, [](Traction &one, const Point<dim> &x, const double dA) {
+      one.area += dA;
+      one.center += dA * x;
+    });
+    for (auto &[load, one] : resultants)
+      {
+        one.area   = Utilities::MPI::sum(one.area, mesh.communicator());
+        one.center = Utilities::MPI::sum(one.center, mesh.communicator()) / one.area;
+      }
+    for_each_point(mesh, elements, model, [](Traction &one, const Point<dim> &x, const double dA) {
+      const Tensor<1, dim> r = x - Point<dim>(one.center);
+      for (unsigned int a = 0; a < n_rotations; ++a)
+        for (unsigned int b = 0; b < n_rotations; ++b)
+          one.inertia[a][b] += dA * ((a == b ? r * r : 0.) - (dim == 2 ? 0. : r[a] * r[b]));
+    });
+    for (auto &[load, one] : resultants)
+      {
+        const Tensor<1, dim>   force  = load->total_force.value({}, t);
+        Tensor<1, n_rotations> moment = load->total_moment.value({}, t);
+        Tensor<1, dim>         arm;
+        for (unsigned int d = 0; d < dim && !load->reference.empty(); ++d)
+          arm[d] = load->reference[d] - one.center[d];
+        if constexpr (dim == 2)
+          moment[0] += arm[0] * force[1] - arm[1] * force[0];
+        else
+          moment += cross_product_3d(arm, force);
+        one.mean    = force / one.area;
+        one.inertia = Utilities::MPI::sum(one.inertia, mesh.communicator());
+        if (moment.norm() > 0)
+          one.spin = invert(one.inertia) * moment;
+      }
   }
 
 
@@ -124,13 +168,21 @@ namespace Signorini
           result.traction += traction;
         if (check_finite_value(pressure, *load, "Pressure", load->pressure.formula(), x))
           result.pressure += pressure;
-        // A total force acts as a uniform traction over its boundaries.
-        const auto area = areas.find(load);
-        if (area == areas.end())
+        const auto found_one = resultants.find(load);
+        if (found_one == resultants.end())
           continue;
-        const Tensor<1, dim> total = load->total_force.value(x, t);
-        if (check_finite_value(total.norm(), *load, "Total force", load->total_force.text(), x))
-          result.traction += total / area->second;
+        const LinearTraction &one    = found_one->second;
+        const auto           &moment = load->total_moment;
+        if (!check_finite_value(
+              one.mean.norm(), *load, "Total force", load->total_force.text(), x) ||
+            !check_finite_value(one.spin.norm(), *load, "Total moment", moment.text(), x))
+          continue;
+        const Tensor<1, dim> r = x - Point<dim>(one.center);
+        result.traction += one.mean;
+        if constexpr (dim == 2)
+          result.traction += one.spin[0] * Tensor<1, dim>({-r[1], r[0]});
+        else
+          result.traction += cross_product_3d(one.spin, r);
       }
     return result;
   }
@@ -147,7 +199,7 @@ namespace Signorini
     const BoundaryIds &wanted = mesh.boundary_ids(boundary);
     return std::any_of(loads.begin(), loads.end(), [&](const Load<dim> &load) {
       if (!load.traction.depends_on_time() && !load.pressure.depends_on_time() &&
-          !load.total_force.depends_on_time())
+          !load.total_force.depends_on_time() && !load.total_moment.depends_on_time())
         return false;
       const BoundaryIds loaded = boundaries_of(mesh, load);
       return std::any_of(wanted.begin(), wanted.end(), [&](const auto id) {

@@ -66,11 +66,31 @@ namespace Signorini
     }
 
   private:
-    /// Compute the areas of boundaries with total forces. Collective.
+    static constexpr unsigned int n_rotations = dim == 2 ? 1 : 3;
+
+    /// The traction with a given resultant that is linear in the place, F/A + w x (x - c).
+    struct LinearTraction
+    {
+      double                         area = 0;
+      dealii::Tensor<1, dim>         center;  ///< c; first the integral of x
+      dealii::Tensor<2, n_rotations> inertia; ///< integral of |r|^2 - r r, r = x - c, with M = I w
+      dealii::Tensor<1, dim>         mean;    ///< F/A
+      dealii::Tensor<1, n_rotations> spin;    ///< w [force/length^3]
+    };
+
+    /// Call add(values, load, point number) at the quadrature points of the boundaries with
+    /// resultants on this rank.
+    template <typename F>
     void
-    measure_boundaries(const Mesh<dim>                     &mesh,
-                       const dealii::hp::FECollection<dim> &elements,
-                       Model                                model);
+    for_each_point(const Mesh<dim>                     &mesh,
+                   const dealii::hp::FECollection<dim> &elements,
+                   Model                                model,
+                   const F                             &add);
+    /// Find the tractions of loads with resultants. Collective.
+    void
+    distribute_resultants(const Mesh<dim>                     &mesh,
+                          const dealii::hp::FECollection<dim> &elements,
+                          Model                                model);
     /// Returns false, and stores a message, if the value is not finite.
     bool
     check_finite_value(double                    size,
@@ -81,8 +101,8 @@ namespace Signorini
 
     const double                                                         t;
     std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;
-    std::map<const Load<dim> *, double> areas; ///< of the boundaries of total forces
-    std::string                         error_message;
+    std::map<const Load<dim> *, LinearTraction>                          resultants;
+    std::string                                                          error_message;
   };
 
   /// True if loads with time-dependent values act on any of these boundaries.

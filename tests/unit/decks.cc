@@ -1109,12 +1109,15 @@ TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
            "*SOLID SECTION, ELSET=e, MATERIAL=m\n*BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n4, 1, 3\n" +
            "*STEP\n*STATIC\n1., 1.\n" + loads + "*END STEP\n";
   };
-  const std::string rigid    = "*RIGID BODY, NSET=head, REF NODE=9, ROT NODE=10\n",
-                    coupling = "*COUPLING, REF NODE=9, SURFACE=top, CONSTRAINT NAME=c\n*KINEMATIC\n";
+  const std::string rigid = "*RIGID BODY, NSET=head, REF NODE=9, ROT NODE=10\n",
+                    coupling =
+                      "*COUPLING, REF NODE=9, SURFACE=top, CONSTRAINT NAME=c\n*KINEMATIC\n";
   for (const auto &[couples, loads] :
-       {std::make_pair(rigid, "*CLOAD\n9, 3, -4.\n10, 2, 5.\n*BOUNDARY\n9, 1, 1, 0.1\n10, 3, 3, 0.2\n"),
+       {std::make_pair(rigid,
+                       "*CLOAD\n9, 3, -4.\n10, 2, 5.\n*BOUNDARY\n9, 1, 1, 0.1\n10, 3, 3, 0.2\n"),
         {coupling, "*CLOAD\n9, 3, -4.\n9, 5, 5.\n*BOUNDARY\n9, 1, 1, 0.1\n9, 6, 6, 0.2\n"},
-        {coupling + "1, 3\n", "*CLOAD\n9, 3, -4.\n9, 5, 5.\n*BOUNDARY\n9, 1, 1, 0.1\n9, 6, 6, 0.2\n"}})
+        {coupling + "1, 3\n",
+         "*CLOAD\n9, 3, -4.\n9, 5, 5.\n*BOUNDARY\n9, 1, 1, 0.1\n9, 6, 6, 0.2\n"}})
     {
       CAPTURE(couples);
       const TemporaryFile file(deck(couples, loads), ".inp");
@@ -1137,17 +1140,30 @@ TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
       CHECK_FALSE(body.is_free(5));
     }
   // What is left out is said.
-  const auto warns = [&](const std::string &couples, const std::string &loads, const std::string &of) {
-    const TemporaryFile file(deck(couples, loads), ".inp");
-    says(imported(file.path).second, of);
-  };
+  const auto warns =
+    [&](const std::string &couples, const std::string &loads, const std::string &of) {
+      const TemporaryFile file(deck(couples, loads), ".inp");
+      says(imported(file.path).second, of);
+    };
   const std::string load = "*CLOAD\n5, 3, 1.\n";
   warns(coupling + "1\n", load, "*KINEMATIC of some components only");
   warns("*RIGID BODY, NSET=edge, REF NODE=9\n*NSET, NSET=edge\n5, 6\n", load, "no whole face");
-  warns("*NSET, NSET=some\n1, 5, 6, 7, 8\n*RIGID BODY, NSET=some, REF NODE=9\n", load, "1 nodes of 'some'");
+  warns("*NSET, NSET=some\n1, 5, 6, 7, 8\n*RIGID BODY, NSET=some, REF NODE=9\n",
+        load,
+        "1 nodes of 'some'");
   warns(rigid, "*BOUNDARY\n5, 4, 4\n", "*BOUNDARY of rotations");
   warns(rigid, "*CLOAD\n5, 4, 1.\n", "*CLOAD of moments");
-  warns("*COUPLING, REF NODE=9, SURFACE=top\n*DISTRIBUTING\n", load, "*DISTRIBUTING");
+  // A distributing coupling is a load, unless its reference node is supported.
+  const std::string distributing = "*COUPLING, REF NODE=9, SURFACE=top\n*DISTRIBUTING\n1, 3\n";
+  warns(distributing, "*BOUNDARY\n9, 1, 1, 0.1\n", "*DISTRIBUTING with a support");
+  const TemporaryFile file(deck(distributing, "*CLOAD\n9, 3, -4.\n9, 5, 5.\n"), ".inp");
+  const auto [text, messages] = imported(file.path);
+  const Scene<3> scene        = checked<3>(text);
+  CHECK(messages.empty());
+  REQUIRE(scene.loads.size() == 1);
+  CHECK(scene.loads[0].reference == std::vector<double>{0.5, 0.5, 3});
+  CHECK(scene.loads[0].total_force.value({}, 0.5)[2] == doctest::Approx(-2));
+  CHECK(scene.loads[0].total_moment.value({}, 0.5)[1] == doctest::Approx(2.5));
 }
 
 

@@ -94,6 +94,17 @@ namespace Signorini
     NodeChoice               nodes;
     VectorExpression<dim>    force;       ///< at each node, or at the point [force]
     VectorExpression<dim>    total_force; ///< on all boundaries or nodes of this load [force]
+    /// On all boundaries of this load, about `reference` [force length].
+    VectorExpression<dim, dim == 2 ? 1 : 3> total_moment;
+    /// Where the total force acts [length]; empty: at the centre of the boundaries.
+    std::vector<double> reference;
+
+    /// True if the load has a total force or moment on boundaries.
+    bool
+    has_resultant() const
+    {
+      return !boundaries.empty() && (total_force.given() || total_moment.given());
+    }
 
     /// Declare the keys of a load; invalid combinations are reported through the section.
     void

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-// The part of the reader for rigid couplings.
+// The part of the reader for couplings.
 
 namespace Signorini
 {
@@ -26,7 +26,7 @@ namespace Signorini
   void
   DeckReader::read_rigid_body()
   {
-    DeckModel::RigidCoupling one;
+    DeckModel::Coupling one;
     one.keyword = "*RIGID BODY";
     for (const char *const set : {"NSET", "TIE NSET", "PIN NSET"})
       if (in.has(set))
@@ -74,13 +74,16 @@ namespace Signorini
 
 
 
-  // Data lines: first and last component of the surface that follow, from 1; none: all do.
+  // *KINEMATIC or *DISTRIBUTING. Data lines: first and last component of the surface that take
+  // part, from 1; none: all do.
   void
-  DeckReader::read_kinematic()
+  DeckReader::end_coupling()
   {
     if (coupling.keyword.empty())
-      in.fail("*KINEMATIC without *COUPLING above");
-    bool is_first = true;
+      in.fail("*" + in.keyword() + " without *COUPLING above");
+    coupling.keyword         = "*" + in.keyword();
+    coupling.is_distributing = in.keyword() == "DISTRIBUTING";
+    bool is_first            = true;
     for (Words words; in.next_line(words); is_first = false)
       {
         if (is_first)

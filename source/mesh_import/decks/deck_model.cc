@@ -248,7 +248,7 @@ namespace Signorini
   bool
   DeckModel::is_reference(const unsigned int node) const
   {
-    return std::any_of(couplings.begin(), couplings.end(), [&](const RigidCoupling &one) {
+    return std::any_of(couplings.begin(), couplings.end(), [&](const Coupling &one) {
       return one.reference == node || one.rotation == node;
     });
   }
@@ -256,7 +256,7 @@ namespace Signorini
 
 
   std::vector<unsigned int>
-  DeckModel::nodes_of(const RigidCoupling &coupling) const
+  DeckModel::nodes_of(const Coupling &coupling) const
   {
     std::vector<unsigned int> result = coupling.nodes;
     if (coupling.is_surface)

@@ -110,7 +110,7 @@ namespace Signorini
     };
 
     /// Curves by index of node (or element) and component (0, 1, 2); 3, 4, 5 are rotations and
-    /// moments at reference nodes of rigid couplings.
+    /// moments at reference nodes of couplings.
     using NodeCurves = std::map<std::pair<unsigned int, unsigned int>, Curve>;
 
     /// The corners of a face, sorted.
@@ -175,12 +175,12 @@ namespace Signorini
       double farthest;
     };
 
-    /// Nodes that follow a reference node rigidly.
-    struct RigidCoupling
+    /// Nodes that follow a reference node rigidly, or share its force and moment.
+    struct Coupling
     {
       /// Name of the set or surface of the nodes, and the keyword, for messages.
       std::string name, keyword;
-      bool        is_surface = false;
+      bool        is_surface = false, is_distributing = false;
       /// Indices of the nodes; none for surfaces.
       std::vector<unsigned int> nodes;
       /// Index of the reference node.
@@ -234,7 +234,7 @@ namespace Signorini
     std::map<std::string, Interaction> interactions;
     std::vector<Pair>                  pairs;
     std::vector<Clearance>             clearances;
-    std::vector<RigidCoupling>         couplings;
+    std::vector<Coupling>              couplings;
     /// Position in the file where geometric nonlinearity is first requested; empty: nowhere.
     std::string nlgeom;
 
@@ -259,7 +259,7 @@ namespace Signorini
     History
     history(const Curve &curve, bool is_initial = false) const;
 
-    /// @return whether a node is the reference node of a rigid coupling, or has its rotation.
+    /// @return whether a node is the reference node of a coupling, or has its rotation.
     /// @param node its index
     bool
     is_reference(unsigned int node) const;
@@ -267,7 +267,7 @@ namespace Signorini
     /// @return the nodes of a coupling.
     /// @param coupling one of the model
     std::vector<unsigned int>
-    nodes_of(const RigidCoupling &coupling) const;
+    nodes_of(const Coupling &coupling) const;
 
     /// @return the faces of a surface, each as sorted corners; none for a set of nodes.
     /// @param surface its name in any case

@@ -111,13 +111,13 @@ namespace Signorini
     void
     read_clearance();
 
-    // Rigid couplings
+    // Couplings
     void
     read_rigid_body();
     void
     begin_coupling();
     void
-    read_kinematic();
+    end_coupling();
     unsigned int
     node_of(const std::string &parameter);
 
@@ -171,8 +171,8 @@ namespace Signorini
     DeckModel   model;
     std::string material, part, interaction;
     /// Of the last *COUPLING, whose kind the next keyword gives.
-    DeckModel::RigidCoupling coupling;
-    bool                     in_step = false, step_counts = false;
+    DeckModel::Coupling coupling;
+    bool                in_step = false, step_counts = false;
     /// Whether the present material has been defined before.
     bool         is_again        = false;
     unsigned int n_element_loads = 0;

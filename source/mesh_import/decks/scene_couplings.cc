@@ -6,14 +6,14 @@
 
 #include <algorithm>
 
-// Rigid couplings: obstacles that are attached to surfaces, and tied pairs with them.
+// Couplings: obstacles that are attached to surfaces, with tied pairs, and resultants.
 
 namespace Signorini
 {
   /// @return the surfaces "BODY.SET, ..." that follow a reference node; empty, with a report, if
   /// there are none. Nodes that are on no whole face of a solid are reported.
   std::string
-  SceneWriter::coupled_surfaces(const DeckModel::RigidCoupling &one)
+  SceneWriter::coupled_surfaces(const DeckModel::Coupling &one)
   {
     if (one.is_surface)
       return surfaces(one.name, "a coupling");
@@ -69,13 +69,13 @@ namespace Signorini
 
   /// @return a formula of a component of a motion or force of a node; `otherwise` if it has none.
   std::string
-  SceneWriter::component_at(const DeckModel::NodeCurves      &curves,
-                            const std::optional<unsigned int> node,
-                            const unsigned int                component,
-                            const std::string                &otherwise,
-                            const double                      factor)
+  SceneWriter::component_at(const DeckModel::NodeCurves &curves,
+                            const unsigned int           node,
+                            const unsigned int           component,
+                            const std::string           &otherwise,
+                            const double                 factor)
   {
-    const auto found = node ? curves.find({*node, component}) : curves.end();
+    const auto found = curves.find({node, component});
     if (found == curves.end())
       return otherwise;
     const DeckModel::History &course = history(histories.number(found->second));
@@ -92,65 +92,94 @@ namespace Signorini
 
 
   // The components of a reference node that nothing prescribes are free, and its forces and moments
-  // drive them.
+  // drive them. Forces and moments of plane scenes are per thickness.
+  SceneWriter::Reference
+  SceneWriter::reference(const DeckModel::Coupling &one)
+  {
+    Reference  result;
+    const auto component = [&](const DeckModel::NodeCurves &curves,
+                               const bool                   rotates,
+                               const unsigned int           d,
+                               const std::string           &otherwise,
+                               const double                 factor) {
+      const bool has_node = rotates && one.rotation;
+      return component_at(curves,
+                          has_node ? *one.rotation : one.reference,
+                          rotates && !has_node ? 3 + d : d,
+                          otherwise,
+                          factor);
+    };
+    const double factor = 1 / thickness_at(model.nodes_of(one));
+    const auto   add    = [&](const bool rotates, const unsigned int d) {
+      const std::string given = component(model.supports, rotates, d, "free", 1);
+      result.is_held |= given != "free";
+      (rotates ? result.rotation : result.motion).push_back(given);
+      (rotates ? result.moment : result.force)
+        .push_back(given == "free" ? component(model.forces, rotates, d, "0", factor) : "0");
+    };
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        result.place.push_back(long_text(model.deck.mesh.nodes[one.reference][d]));
+        add(false, d);
+      }
+    for (unsigned int d = dim == 2 ? 2 : 0; d < 3; ++d)
+      add(true, d);
+    return result;
+  }
+
+
+
+  // Rigid couplings are obstacles and tied pairs, distributing ones loads.
   std::string
   SceneWriter::obstacles()
   {
     std::vector<SceneItem> items;
     SetNames               names;
-    for (const DeckModel::RigidCoupling &one : model.couplings)
+    for (const DeckModel::Coupling &one : model.couplings)
       {
-        const bool is_whole = std::all_of(one.components.begin(),
-                                          one.components.begin() + dim,
-                                          [](const bool c) { return c; });
-        if (!is_whole)
+        const Reference at   = reference(one);
+        const auto     &held = one.components;
+        const bool      is_whole =
+          std::all_of(held.begin(), held.begin() + dim, [](const bool c) { return c; });
+        if (!is_whole || (one.is_distributing && at.is_held))
           {
-            model.skip_item("*KINEMATIC of some components only", "", "support");
+            model.skip_item(one.keyword + (is_whole ? " with a support of its reference node" :
+                                                      " of some components only"),
+                            "",
+                            "support");
             model.lacks_supports = true;
             continue;
           }
         const std::string where = coupled_surfaces(one);
         if (where.empty())
           continue;
-        // Forces and moments of plane scenes are per thickness.
-        const double             factor      = 1 / thickness_at(model.nodes_of(one));
-        const unsigned int       n_rotations = dim == 2 ? 1 : 3;
-        std::vector<std::string> place, motion, force, rotation, moment;
-        const auto               component = [&](const auto        &curves,
-                                   const bool         rotates,
-                                   const unsigned int d,
-                                   const std::string &otherwise,
-                                   const double       by) {
-          if (!rotates)
-            return component_at(curves, one.reference, d, otherwise, by);
-          return one.rotation ? component_at(curves, one.rotation, d, otherwise, by) :
-                                              component_at(curves, one.reference, 3 + d, otherwise, by);
+        SceneItem  item{names.make_unique_name("reference of " + as_name(one.name)),
+                       {{"Reference point", join(at.place)}}};
+        const auto add_if_any = [&](const std::string              &key,
+                                    const std::vector<std::string> &values) {
+          const bool any =
+            std::any_of(values.begin(), values.end(), [](const auto &x) { return x != "0"; });
+          if (any)
+            item.keys.emplace_back(key, join(values, "; "));
+          return any;
         };
-        const auto add = [&](const bool rotates, const unsigned int d) {
-          const std::string given = component(model.supports, rotates, d, "free", 1);
-          (rotates ? rotation : motion).push_back(given);
-          (rotates ? moment : force)
-            .push_back(given == "free" ? component(model.forces, rotates, d, "0", factor) : "0");
-        };
-        for (unsigned int d = 0; d < dim; ++d)
+        if (one.is_distributing)
           {
-            place.push_back(long_text(model.deck.mesh.nodes[one.reference][d]));
-            add(false, d);
+            item.keys.emplace_back("Boundaries", where);
+            const bool has_force = add_if_any("Total force", at.force);
+            if (add_if_any("Total moment", at.moment) || has_force)
+              coupled_loads.push_back(item);
+            continue;
           }
-        for (unsigned int d = 0; d < n_rotations; ++d)
-          add(true, dim == 2 ? 2 : d);
-        const std::string name = names.make_unique_name("reference of " + as_name(one.name));
-        items.push_back({name,
-                         {{"Shape", "attached"},
-                          {"Reference point", join(place)},
-                          {"Displacement", join(motion, "; ")},
-                          {"Rotation", join(rotation, "; ")}}});
-        for (const auto &[key, values] : {std::make_pair("Force", force), {"Moment", moment}})
-          if (std::any_of(values.begin(), values.end(), [](const auto &x) { return x != "0"; }))
-            items.back().keys.emplace_back(key, join(values, "; "));
+        item.keys.emplace_back("Shape", "attached");
+        item.keys.emplace_back("Displacement", join(at.motion, "; "));
+        item.keys.emplace_back("Rotation", join(at.rotation, "; "));
+        add_if_any("Force", at.force);
+        add_if_any("Moment", at.moment);
+        items.push_back(item);
         for (const std::string &slave : split(where, ','))
           coupled_pairs.push_back({"coupling of " + as_name(one.name),
-                                   {{"Slave", slave}, {"Master", name}, {"Law", "tied"}}});
+                                   {{"Slave", slave}, {"Master", item.name}, {"Law", "tied"}}});
       }
     forget_reference_nodes();
     return section("Obstacles", items);

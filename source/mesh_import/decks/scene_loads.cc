@@ -107,7 +107,7 @@ namespace Signorini
   {
     std::vector<SceneItem> items;
     SetNames               names;
-    for (const auto &list : {forces(), pressures(), body_forces(), gravity()})
+    for (const auto &list : {forces(), pressures(), body_forces(), gravity(), coupled_loads})
       for (SceneItem item : list)
         {
           item.name = names.make_unique_name(item.name);

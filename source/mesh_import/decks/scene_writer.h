@@ -95,13 +95,21 @@ namespace Signorini
     body_forces();
     std::vector<SceneItem>
     gravity();
+    /// Motion, forces and moments of a reference node, formulas by component.
+    struct Reference
+    {
+      std::vector<std::string> place, motion, rotation, force, moment;
+      bool                     is_held = false; ///< any component of the motion is prescribed
+    };
+    Reference
+    reference(const DeckModel::Coupling &one);
     std::string
     obstacles();
     std::string
-    coupled_surfaces(const DeckModel::RigidCoupling &one);
+    coupled_surfaces(const DeckModel::Coupling &one);
     std::string
     component_at(const DeckModel::NodeCurves &curves,
-                 std::optional<unsigned int>  node,
+                 unsigned int                 node,
                  unsigned int                 component,
                  const std::string           &otherwise,
                  double                       factor);
@@ -164,8 +172,8 @@ namespace Signorini
     SetNames set_names;
     /// Times within steps at which loads and supports have kinks.
     std::set<double> kinks;
-    /// Pairs of rigid couplings.
-    std::vector<SceneItem> coupled_pairs;
+    /// Pairs of rigid couplings, loads of distributing ones.
+    std::vector<SceneItem> coupled_pairs, coupled_loads;
     /// Supports that begin in a later step, with their times.
     std::vector<std::pair<std::string, double>> late_supports;
   };
