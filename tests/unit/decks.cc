@@ -1151,6 +1151,9 @@ TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
   warns("*NSET, NSET=some\n1, 5, 6, 7, 8\n*RIGID BODY, NSET=some, REF NODE=9\n",
         load,
         "1 nodes of 'some'");
+  warns("*RIGID BODY, NSET=edge, REF NODE=9\n*NSET, NSET=edge\n5, 6\n",
+        "*CLOAD\n9, 3, 1.\n",
+        "*CLOAD at 1 nodes");
   warns(rigid, "*BOUNDARY\n5, 4, 4\n", "*BOUNDARY of rotations");
   warns(rigid, "*CLOAD\n5, 4, 1.\n", "*CLOAD of moments");
   // A distributing coupling is a load, unless its reference node is supported.

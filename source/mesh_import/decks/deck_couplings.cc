@@ -70,12 +70,13 @@ namespace Signorini
     if (!coupling.is_surface)
       coupling.nodes = nodes_of(coupling.name);
     coupling.reference = node_of("REF NODE");
+    coupling.is_turned = in.has("ORIENTATION");
   }
 
 
 
   // *KINEMATIC or *DISTRIBUTING. Data lines: first and last component of the surface that take
-  // part, from 1; none: all do.
+  // part, from 1; none: all do. Forces of the reference node of *DISTRIBUTING act in any case.
   void
   DeckReader::end_coupling()
   {
@@ -83,7 +84,7 @@ namespace Signorini
       in.fail("*" + in.keyword() + " without *COUPLING above");
     coupling.keyword         = "*" + in.keyword();
     coupling.is_distributing = in.keyword() == "DISTRIBUTING";
-    bool is_first            = true;
+    bool is_first            = !coupling.is_distributing;
     for (Words words; in.next_line(words); is_first = false)
       {
         if (is_first)

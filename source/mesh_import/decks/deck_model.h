@@ -181,6 +181,8 @@ namespace Signorini
       /// Name of the set or surface of the nodes, and the keyword, for messages.
       std::string name, keyword;
       bool        is_surface = false, is_distributing = false;
+      /// Components are those of an *ORIENTATION.
+      bool is_turned = false;
       /// Indices of the nodes; none for surfaces.
       std::vector<unsigned int> nodes;
       /// Index of the reference node.

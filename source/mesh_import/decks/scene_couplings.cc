@@ -133,18 +133,23 @@ namespace Signorini
   std::string
   SceneWriter::obstacles()
   {
-    std::vector<SceneItem> items;
-    SetNames               names;
+    std::vector<SceneItem>           items;
+    SetNames                         names;
+    std::vector<DeckModel::Coupling> imported;
     for (const DeckModel::Coupling &one : model.couplings)
       {
         const Reference at   = reference(one);
         const auto     &held = one.components;
         const bool      is_whole =
           std::all_of(held.begin(), held.begin() + dim, [](const bool c) { return c; });
-        if (!is_whole || (one.is_distributing && at.is_held))
+        // All components along turned axes are all components.
+        const bool is_held   = one.is_distributing && at.is_held,
+                   is_turned = one.is_distributing && one.is_turned;
+        if (!is_whole || is_held || is_turned)
           {
-            model.skip_item(one.keyword + (is_whole ? " with a support of its reference node" :
-                                                      " of some components only"),
+            model.skip_item(one.keyword + (!is_whole ? " of some components only" :
+                                           is_held   ? " with a support of its reference node" :
+                                                       " with ORIENTATION"),
                             "",
                             "support");
             model.lacks_supports = true;
@@ -153,6 +158,7 @@ namespace Signorini
         const std::string where = coupled_surfaces(one);
         if (where.empty())
           continue;
+        imported.push_back(one);
         SceneItem  item{names.make_unique_name("reference of " + as_name(one.name)),
                        {{"Reference point", join(at.place)}}};
         const auto add_if_any = [&](const std::string              &key,
@@ -181,6 +187,8 @@ namespace Signorini
           coupled_pairs.push_back({"coupling of " + as_name(one.name),
                                    {{"Slave", slave}, {"Master", item.name}, {"Law", "tied"}}});
       }
+    // What acts at the reference nodes of other couplings is reported as left out.
+    model.couplings = imported;
     forget_reference_nodes();
     return section("Obstacles", items);
   }
