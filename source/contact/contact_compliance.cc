@@ -70,32 +70,31 @@ namespace Signorini
 
 
 
-  // Keys that belong to another relation are refused, so that none is without effect.
+  // Values that belong to another relation are refused, so that none is without effect. Defaults
+  // are not: scenes that the program writes contain all keys.
   void
   ContactCompliance::check_keys(Section   &section,
                                 const bool is_bonded,
                                 const bool has_slip_law) const
   {
-    using Kind                    = PressureOverclosure;
-    const auto belongs_to_another = [&](const std::string &key, const Kind other) {
-      if (section.is_set(key) && kind != other)
+    using Kind       = PressureOverclosure;
+    const auto check = [&](const std::string &key, const bool is_given, const Kind of) {
+      if (is_given && kind != of)
         section.fail(key, "does not apply to this Pressure-overclosure; remove it, or change that");
-      if (!section.is_set(key) && kind == other)
+      if (!is_given && kind == of)
         section.fail("Pressure-overclosure", "requires " + key + "; set it");
     };
-    belongs_to_another("Normal stiffness", Kind::linear);
-    belongs_to_another("Clearance", Kind::exponential);
-    belongs_to_another("Pressure at zero gap", Kind::exponential);
-    belongs_to_another("Overclosure table", Kind::tabular);
+    check("Normal stiffness", std::isfinite(normal_stiffness), Kind::linear);
+    check("Clearance", clearance > 0, Kind::exponential);
+    check("Pressure at zero gap", pressure_at_zero_gap > 0, Kind::exponential);
+    check("Overclosure table", !table.empty(), Kind::tabular);
     if (is_bonded && is_nonlinear())
       section.fail("Pressure-overclosure",
                    "is no relation for tension, which tied surfaces and those without separation "
                    "carry; use linear or hard");
-    if (!has_slip_law && section.is_set("Tangential stiffness"))
+    if (!has_slip_law && std::isfinite(tangential_stiffness))
       section.fail("Tangential stiffness",
                    "has no effect without Friction or Law = tied; remove it, or add these");
-    if (kind == Kind::exponential && (clearance <= 0 || pressure_at_zero_gap <= 0))
-      section.fail(clearance <= 0 ? "Clearance" : "Pressure at zero gap", "must be positive");
     if (kind != Kind::tabular)
       return;
     if (table.size() < 2 || table[0][0] != 0)

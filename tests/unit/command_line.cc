@@ -174,7 +174,7 @@ TEST_CASE("a load may be zero, and a material must be given")
   CHECK(has(message_of([&] {
               scene_of<2>(block + load.substr(0, load.find("  set Pressure")) + " end\nend\n");
             }),
-            "Pressure or Total force is required"));
+            "Total force or Total moment is required"));
 }
 
 TEST_CASE("scene files: UTF-8 mark, directories, long lines")
