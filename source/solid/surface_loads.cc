@@ -125,7 +125,8 @@ namespace Signorini
           moment += cross_product_3d(arm, force);
         one.mean    = force / one.area;
         one.inertia = Utilities::MPI::sum(one.inertia, mesh.communicator());
-        if (moment.norm() > 0)
+        // Also where it is no number, which is reported with the load.
+        if (moment.norm() != 0)
           one.spin = invert(one.inertia) * moment;
       }
   }

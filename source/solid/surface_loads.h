@@ -78,8 +78,8 @@ namespace Signorini
       dealii::Tensor<1, n_rotations> spin;    ///< w [force/length^3]
     };
 
-    /// Call add(values, load, point number) at the quadrature points of the boundaries with
-    /// resultants on this rank.
+    /// Call add(resultant, x, dA) for each resultant at the quadrature points x of its boundaries
+    /// on this rank, with the area dA of the point.
     template <typename F>
     void
     for_each_point(const Mesh<dim>                     &mesh,

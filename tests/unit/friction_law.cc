@@ -119,7 +119,7 @@ TEST_CASE("law of Coulomb: derivatives against finite differences, for all choic
   GapOperator      contact = single_point(epsilon, friction);
   std::mt19937     numbers(1);
   unsigned int     count[3] = {0, 0, 0};
-  // A relation of pressure and overclosure with a gap where contact begins; and elastic slip.
+  // A linear relation of pressure and overclosure, and elastic slip.
   ContactCompliance soft;
   soft.kind                 = PressureOverclosure::linear;
   soft.normal_stiffness     = 5;

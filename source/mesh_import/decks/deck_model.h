@@ -144,8 +144,8 @@ namespace Signorini
       bool is_new = false;
     };
 
-    /// The contact law of a *SURFACE INTERACTION: hard, linear (pressure proportional to the
-    /// overlap), without separation, or tied.
+    /// The contact law of a *SURFACE INTERACTION: its relation of pressure and overclosure, whether
+    /// surfaces separate or are tied, and its friction.
     struct Interaction
     {
       enum class Kind
