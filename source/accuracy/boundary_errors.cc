@@ -225,10 +225,11 @@ namespace Signorini
                 result[q] = (support->normal_displacement.value(x, t) - u.u[q] * n) * n;
                 continue;
               }
-            const Tensor<1, dim> wanted = support->displacement.value(x, t);
+            const Tensor<1, dim> wanted = support->displacement_at(x, t);
+            const Tensor<2, dim> axes   = support->axes.at(x);
             for (unsigned int d = 0; d < dim; ++d)
               if (support->displacement.prescribed(d))
-                result[q][d] = wanted[d] - u.u[q][d];
+                result[q] += ((wanted - u.u[q]) * axes[d] - result[q] * axes[d]) * axes[d];
           }
       return result;
     }

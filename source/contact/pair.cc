@@ -2,6 +2,8 @@
 #include <signorini/contact/pair.h>
 #include <signorini/parameters/section.h>
 
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace Signorini
@@ -33,9 +35,11 @@ namespace Signorini
       {{"automatic", SideChoice::automatic}, {"as named", SideChoice::as_named}},
       "automatic: slave and master are exchanged if the slave is so much stiffer or finer that the contact pressure "
       "would oscillate (the signs in results.json still refer to Slave and Master as named); as named: never");
-    section.add("Initial gap",
-                initial_gap,
-                "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z,t [length]");
+    section.add(
+      "Initial gap",
+      initial_gap,
+      "'from geometry', 'closed' (zero everywhere), a formula in x,y,z,t [length], or, of tied surfaces, 'kept' "
+      "(gaps that the meshes leave are kept without strain: their default)");
     section.rename_key("Closed up to", "Closure tolerance");
     section.add(
       "Closure tolerance",
@@ -64,6 +68,8 @@ namespace Signorini
       "radius of the contact search: points with a larger initial gap are no candidates for contact; 0: "
       "estimated from the expected motion, and enlarged if bodies move farther [length]",
       non_negative);
+    image.declare(section);
+    declare_times(section, "the pair");
     section.rename_key("Directions", "Extent directions");
     section.add("Extent directions",
                 directions,
@@ -85,15 +91,33 @@ namespace Signorini
         section.fail("Extent directions", "the zero vector has no direction; remove it");
     if (is_tied)
       {
-        can_separate = false;
-        keeps_gaps   = !section.is_set("Initial gap");
-        for (const std::string key :
-             {"Separation", "Friction", "Friction limit", "Closure tolerance"})
-          if (section.is_set(key))
+        // Keys with their defaults are accepted: the scene that a run writes has all of them.
+        const std::array<std::pair<std::string, bool>, 4> other_than_default = {
+          {{"Separation", can_separate && section.is_set("Separation")},
+           {"Friction", !friction.is_zero()},
+           {"Friction limit", std::isfinite(friction.limit)},
+           {"Closure tolerance", closes_below >= 0}}};
+        for (const auto &[key, is_other] : other_than_default)
+          if (is_other)
             section.fail(key, "does not apply to tied surfaces; remove it, or set Law = contact");
+        can_separate = false;
+        if (!section.is_set("Initial gap"))
+          initial_gap = "kept";
         if (slave == master)
           section.fail("Law", "a surface cannot be tied to itself; set Law = contact");
+        if (from > 0)
+          section.fail(
+            "Start time",
+            "is not available for tied surfaces, which are glued as they are at the start; "
+            "remove it, or set Law = contact");
       }
+    // The image of a surface that is exchanged would be that of the other one.
+    if (!image.is_master())
+      sides = SideChoice::as_named;
+    keeps_gaps = initial_gap.text == "kept";
+    if (keeps_gaps && !is_tied)
+      section.fail("Initial gap",
+                   "'kept' applies to tied surfaces only; write 'from geometry' or 'closed'");
     compliance.check_keys(section, !can_separate, is_tied || !friction.is_zero());
     slave_location  = section.source_of("Slave");
     master_location = section.source_of("Master");

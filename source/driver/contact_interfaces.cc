@@ -50,6 +50,14 @@ namespace Signorini
                                      const SearchTolerance     &range,
                                      const ContactSurface<dim> *former) const
   {
+    if (!pair.acts(elasticity.time()))
+      {
+        ContactSurface<dim> without_points;
+        without_points.can_separate = pair.can_separate;
+        without_points.is_tied      = pair.is_tied;
+        without_points.is_apart     = true;
+        return without_points;
+      }
     return make_contact_surface(configuration,
                                 pair,
                                 scene.obstacle_of(pair),
@@ -142,13 +150,24 @@ namespace Signorini
       // Each pair is searched in turn on all ranks together.
       try
         {
-          for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+          // Tied pairs are the last ones, since they leave nodes to the slaves of others.
+          my_surfaces.resize(decisions.pairs.size());
+          for (const bool is_tied : {false, true})
             {
-              my_surfaces.push_back(surface_of(configuration,
-                                               decisions.pairs[i],
-                                               of_pairs[i],
-                                               keeps_integration_points ? &former[i] : nullptr));
-              exchange_sides(configuration, i);
+              std::vector<std::string> contact_slaves;
+              for (const ContactPair<dim> &pair : decisions.pairs)
+                if (is_tied && !pair.is_tied)
+                  contact_slaves.push_back(pair.slave);
+              for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+                if (decisions.pairs[i].is_tied == is_tied)
+                  {
+                    decisions.pairs[i].contact_slaves = contact_slaves;
+                    my_surfaces[i]                    = surface_of(configuration,
+                                                decisions.pairs[i],
+                                                of_pairs[i],
+                                                keeps_integration_points ? &former[i] : nullptr);
+                    exchange_sides(configuration, i);
+                  }
             }
         }
       catch (const SolverFailure &)
@@ -189,7 +208,7 @@ namespace Signorini
             "' has a projection onto the master: the surfaces are farther apart than the Search "
             "distance, or do not face each other; set a larger Search distance, or check Slave and "
             "Master");
-        if (!pair.can_separate && n_rows(i) == 0)
+        if (!pair.can_separate && pair.acts(build_time) && n_rows(i) == 0)
           throw SceneError(
             pair.master_location + ": no point of '" + pair.slave +
             "' touches the master of this pair with Separation = none; close the gap, or " +
@@ -297,7 +316,7 @@ namespace Signorini
     const auto &mesh = elasticity.mesh();
     return std::any_of(
       decisions.pairs.begin(), decisions.pairs.end(), [&](const ContactPair<dim> &pair) {
-        if (has_time_dependent_gap(pair))
+        if (has_time_dependent_gap(pair) || pair.acts(build_time) != pair.acts(elasticity.time()))
           return true;
         const bool is_between_bodies = !scene.obstacle_of(pair);
         return with_stress &&

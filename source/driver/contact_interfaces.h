@@ -144,7 +144,7 @@ namespace Signorini
     overconstrained_nodes(const LA::Vector &active) const;
 
     /// True if build() was at another time, and its result depends on time: gaps given by formulas,
-    /// and surface loads where the method uses the normal stress.
+    /// pairs that begin or end, and surface loads where the method uses the normal stress.
     bool
     is_outdated() const;
 

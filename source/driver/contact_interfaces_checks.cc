@@ -20,7 +20,7 @@ namespace Signorini
     const Configuration<dim> start(elasticity, from);
     for (const ContactPair<dim> &pair : decisions.pairs)
       if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
-          obstacle && !obstacle->shape->is_attached())
+          obstacle && !obstacle->shape->is_attached() && pair.acts(elasticity.time()))
         if (obstacle_tunnels(start, to, pair.slave, *obstacle))
           throw SolverFailure("the obstacle '" + obstacle->name + "' would pass through '" +
                               pair.slave +
@@ -41,7 +41,7 @@ namespace Signorini
     const Configuration<dim> now(elasticity, u);
     for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]);
-          obstacle && !obstacle->shape->is_attached())
+          obstacle && !obstacle->shape->is_attached() && decisions.pairs[i].acts(build_time))
         {
           const std::string &slave = decisions.pairs[i].slave;
           std::vector<bool>  seen; // those of the faces with contact points

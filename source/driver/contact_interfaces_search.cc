@@ -35,8 +35,8 @@ namespace Signorini
                  so_far = pair.search_distance > 0 ? pair.search_distance : candidate_gap[i];
     // Gaps given by a formula do not depend on motions, and time-dependent ones change without
     // them.
-    if (!pair.can_separate || pair.gap_is_given() || has_time_dependent_gap(pair) || now == 0 ||
-        now >= so_far)
+    if (!pair.can_separate || pair.gap_is_given() || has_time_dependent_gap(pair) ||
+        pair.is_limited() || now == 0 || now >= so_far)
       return {};
     return {now, 2 * my_surfaces[i].overlap, true};
   }
@@ -69,8 +69,10 @@ namespace Signorini
                         my_surfaces[i].face_size / 2, // 0 where nothing is in reach
                       touching * elasticity.mesh().size()});
         const ContactPair<dim> &pair = decisions.pairs[i];
-        const bool is_other = has_time_dependent_gap(pair) && elasticity.time() != build_time;
-        double     limit    = search_radius_of_pair(elasticity, pair, candidate_gap[i]);
+        // Where the gap is another one, or the pair has begun, how near it was is not known.
+        const bool is_other =
+          (has_time_dependent_gap(pair) || pair.is_limited()) && elasticity.time() != build_time;
+        double limit = search_radius_of_pair(elasticity, pair, candidate_gap[i]);
         if (!my_surfaces.empty() && !is_other)
           {
             const double now =
@@ -150,7 +152,8 @@ namespace Signorini
       {
         const ContactPair<dim> &pair     = decisions.pairs[i];
         const double            approach = approaches[i] + pair.compliance.reach();
-        if (approach <= my_surfaces[i].candidate_gap || !pair.can_separate)
+        if (approach <= my_surfaces[i].candidate_gap || !pair.can_separate ||
+            !pair.acts(build_time))
           continue;
         if (at_rest && known_tolerances[i].is_final)
           {

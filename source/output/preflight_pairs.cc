@@ -24,8 +24,15 @@ namespace Signorini
       /// Number of faces on all ranks, and their mean size [length].
       double n = 0, size = 0;
 
-      Side(const Elasticity<dim> &elasticity, const std::string &boundary)
+      /// The image of the master; that of slaves is the surface itself.
+      MasterImage<dim> image;
+
+      /// @param boundary its name
+      Side(const Elasticity<dim>  &elasticity,
+           const std::string      &boundary,
+           const MasterImage<dim> &image)
         : own(elasticity, boundary)
+        , image(image)
       {
         const MPI_Comm comm = elasticity.mesh().communicator();
         n                   = own.faces.size();
@@ -114,11 +121,12 @@ namespace Signorini
         for (const auto &[cell, face] : side.own.faces)
           for (const unsigned int v : cell->face(face)->vertex_indices())
             {
-              Key           key;
-              unsigned long hash = 0;
+              Key              key;
+              unsigned long    hash  = 0;
+              const Point<dim> place = side.image.of(cell->face(face)->vertex(v));
               for (unsigned int d = 0; d < dim; ++d)
                 {
-                  key[d] = std::lround(cell->face(face)->vertex(v)[d] / resolution);
+                  key[d] = std::lround(place[d] / resolution);
                   // Equal keys have equal hashes, so that equal vertices of both surfaces, wherever
                   // they are owned, arrive at the same rank; vertices that several ranks send are
                   // counted once there.
@@ -154,7 +162,7 @@ namespace Signorini
     for (unsigned int i = 0; i < surfaces.size(); ++i)
       {
         const ContactPair<dim> &pair = decisions.pairs[i];
-        const Side<dim>         slave(elasticity, pair.slave);
+        const Side<dim>         slave(elasticity, pair.slave, {});
         Json                    one = {{"slave", pair.slave},
                                        {"slave_faces", slave.n},
                                        {"slave_face_size", slave.size},
@@ -193,7 +201,7 @@ namespace Signorini
         // A master surface of a body also has a mesh, which is compared with that of the slave.
         if (!decisions.scene.obstacle_of(pair))
           {
-            const Side<dim> master(elasticity, pair.master);
+            const Side<dim> master(elasticity, pair.master, pair.image);
             one["master_faces"]     = master.n;
             one["master_face_size"] = master.size;
             one["matching"]         = match(slave, master, comm);

@@ -321,7 +321,9 @@ namespace Signorini
         largest = std::max({largest, force.resultant.force.norm(), force.sum_of_sizes});
         on_bodies[*mesh.body_of(names.named_slave())] += force.resultant;
         if (const auto master = mesh.body_of(names.named_master()))
-          on_bodies[*master] += {-force.resultant.force, force.reaction_moment};
+          on_bodies[*master] +=
+            {-names.image.at_master(force.resultant.force),
+             names.image.moment_at_master(force.reaction_moment, -force.resultant.force)};
       }
     // Forces of the size of rounding count as balanced, whatever their directions are.
     if (largest <= rounding_of_forces(s, tolerance))

@@ -272,6 +272,11 @@ namespace Signorini
       refuse("Contact method/Contact geometry = reference",
              "is not possible with Deformation = finite, which requires "
              "the current configuration");
+    for (const ContactPair<dim> &pair : pairs)
+      if (pair.image.turns())
+        refuse("Contact pairs/" + pair.name +
+                 "/Master rotation = " + short_text(pair.image.rotation),
+               "is not available with Deformation = finite");
     for (const Load<dim> &load : scene.loads)
       if (model_of(scene.model) == Model::plane_stress && !load.pressure.is_zero())
         refuse(

@@ -206,7 +206,7 @@ namespace Signorini
                         });
     section.add_section("Load steps", "Load history.", [&](Section &s) { load_steps.declare(s); });
     if (section.reading())
-      end_steps_at_support_changes();
+      end_steps_at_changes();
     section.add_section("Newton", "Nonlinear solver.", [&](Section &s) { newton.declare(s); });
     section.add_section("Solver", "Linear solver.", [&](Section &s) { solver.declare(s); });
     section.add_section("Output", "Files that are written.", [&](Section &s) {
@@ -221,24 +221,26 @@ namespace Signorini
 
 
 
-  // Times at which supports begin or cease become ends of load steps, in increasing order.
+  // Times at which supports and pairs begin or cease become ends of load steps, in increasing
+  // order.
   template <int dim>
   void
-  Scene<dim>::end_steps_at_support_changes()
+  Scene<dim>::end_steps_at_changes()
   {
     load_steps.changes.clear();
+    const auto add = [&](const TimeSpan &span, const std::string &entry) {
+      if (span.from >= load_steps.end_time)
+        throw SceneError(entry + "/Start time = " + short_text(span.from) +
+                         ": the load history ends at t = " + short_text(load_steps.end_time) +
+                         ", so that this is never active; set an earlier time, or remove it");
+      for (const double t : {span.from, span.until})
+        if (t > 0)
+          load_steps.changes.push_back(t);
+    };
     for (const Support<dim> &support : supports)
-      {
-        if (support.from >= load_steps.end_time)
-          throw SceneError("Supports/" + support.name +
-                           "/Start time = " + short_text(support.from) +
-                           ": the load history ends at t = " + short_text(load_steps.end_time) +
-                           ", so that this support is never active; set an earlier time, or remove "
-                           "the support");
-        for (const double t : {support.from, support.until})
-          if (t > 0)
-            load_steps.changes.push_back(t);
-      }
+      add(support, "Supports/" + support.name);
+    for (const ContactPair<dim> &pair : named_pairs())
+      add(pair, "Contact pairs/" + pair.name);
     std::sort(load_steps.changes.begin(), load_steps.changes.end());
   }
 

@@ -110,25 +110,28 @@ namespace Signorini
           const std::string reason = body.mesh.generator->needs_pair(), start = body.name + ".";
           bool              joined = false;
           for (const ContactPair<dim> &pair : scene.named_pairs())
-            joined |= pair.slave.compare(0, start.size(), start) == 0 &&
+            joined |= pair.image.is_master() && pair.slave.compare(0, start.size(), start) == 0 &&
                       pair.master.compare(0, start.size(), start) == 0;
           if (!reason.empty() && !joined)
             throw SceneError(reason);
         }
     }
 
-    /// Throws SceneError if two pairs have the same surfaces: the distribution of the pressure
-    /// among them would not be determined.
+    /// Throws SceneError if two pairs have the same surfaces at the same time: the distribution of
+    /// the pressure among them would not be determined.
     template <int dim>
     void
     check_same_pairs(const std::vector<ContactPair<dim>> &pairs)
     {
       for (unsigned int i = 0; i < pairs.size(); ++i)
         for (unsigned int j = 0; j < i; ++j)
-          if ((pairs[i].slave == pairs[j].slave && pairs[i].master == pairs[j].master) ||
-              (pairs[i].slave == pairs[j].master && pairs[i].master == pairs[j].slave))
-            throw SceneError(pairs[i].slave_location + ": pairs '" + pairs[j].name + "' and '" +
-                             pairs[i].name + "' have the same surfaces; remove one");
+          if (((pairs[i].slave == pairs[j].slave && pairs[i].master == pairs[j].master) ||
+               (pairs[i].slave == pairs[j].master && pairs[i].master == pairs[j].slave)) &&
+              pairs[i].overlaps(pairs[j]))
+            throw SceneError(
+              pairs[i].slave_location + ": pairs '" + pairs[j].name + "' and '" + pairs[i].name +
+              "' have the same surfaces; remove one, or let one end (End time) before the "
+              "other starts");
     }
 
     /// Throws SceneError if a pair with an obstacle in the place of the slave can open.
@@ -141,6 +144,26 @@ namespace Signorini
         throw SceneError(pair.master_location + ": '" + obstacle->name +
                          "' is attached to the surface (Shape), and holds it; set Law = tied, or "
                          "Separation = none, or another Shape");
+    }
+
+    /// Throws SceneError where a pair cannot have an image of its master.
+    template <int dim>
+    void
+    check_image(const Scene<dim> &scene, const ContactPair<dim> &pair)
+    {
+      if (pair.image.is_master())
+        return;
+      const std::string key   = pair.image.turns() ? "Master rotation" : "Master shift",
+                        place = pair.master_location + ": " + key + " ";
+      if (scene.obstacle_of(pair))
+        throw SceneError(place + "applies to surfaces of bodies; '" + pair.master +
+                         "' is an obstacle, which can be placed as it should be");
+      if (scene.contact.chosen().unbiased())
+        throw SceneError(place +
+                         "requires a slave and a master; set Contact method/Nitsche/Unbiased "
+                         "= no, or another method");
+      if (pair.image.turns() && model_of(scene.model) == Model::axisymmetric)
+        throw SceneError(place + "does not apply to Model = axisymmetric");
     }
 
     /// Throws SceneError for keys that do not apply to self-contact.
@@ -233,6 +256,7 @@ namespace Signorini
         if (pair.is_self())
           check_self(pair);
         check_attached(*this, pair);
+        check_image(*this, pair);
         if (obstacle_of(pair) && std::count(boundaries.begin(), boundaries.end(), pair.master))
           throw SceneError(pair.master_location +
                            ": is the name of a boundary and of an obstacle; rename the obstacle");

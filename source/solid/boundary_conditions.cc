@@ -58,23 +58,13 @@ namespace Signorini
     section.add("Direction",
                 direction,
                 "direction that a roller constrains, of any length; 0: normal to the faces");
+    axes.declare(section, "the Displacement");
     section.rename_key("From", "Start time");
-    section.add(
-      "Start time",
-      from,
-      "the support is active after this time, at which a load step ends; 0: from the start",
-      non_negative);
     section.rename_key("Until", "End time");
-    section.add("End time",
-                until,
-                "the support is removed after this time, at which a load step ends; 0: never",
-                non_negative);
+    declare_times(section, "the support");
     if (!section.reading())
       return;
     place = section.source_of("Boundaries");
-    if (until > 0 && until <= from)
-      section.fail("End time",
-                   "must be later than Start time, or 0 for a support that is never removed");
     if (boundaries.empty() && nodes.empty())
       section.fail("Boundaries", "a support needs at least one boundary, or Nodes, or a Point");
     // Faces have a normal; single nodes need an explicit direction.
@@ -93,20 +83,17 @@ namespace Signorini
       section.fail("Normal displacement", "requires Type = roller");
     if (type != SupportType::roller && direction.norm() > 0)
       section.fail("Direction", "requires Type = roller");
+    if (type != SupportType::displacement && !axes.are_global())
+      section.fail("Coordinates", "requires Type = displacement");
   }
 
 
 
-  // Times are compared to 1e-10: ends of load steps, which are sums, count as the times of the
-  // scene.
   template <int dim>
-  bool
-  Support<dim>::acts(const double t) const
+  dealii::Tensor<1, dim>
+  Support<dim>::displacement_at(const dealii::Point<dim> &x, const double t) const
   {
-    // A support is active in the half-open interval (from, until], because a load step is the
-    // solution at its end.
-    constexpr double rounding = 1e-10;
-    return (from == 0 || t > from * (1 + rounding)) && (until == 0 || t <= until * (1 + rounding));
+    return axes.to_global(displacement.value(x, t), x);
   }
 
 
@@ -147,8 +134,11 @@ namespace Signorini
     section.add("Body force",
                 body_force,
                 "one formula in x,y,z,t a component, separated by ';' [force/volume]");
+    axes.declare(section, "Traction, Force and Body force");
     if (!section.reading())
       return;
+    if (!axes.are_global() && !traction.given() && !force.given() && body_force.empty())
+      section.fail("Coordinates", "has no effect without Traction, Force or Body force");
     place           = section.source_of("Boundaries");
     bodies_location = section.source_of("Bodies");
     if (boundaries.empty() && bodies.empty() && nodes.empty())
@@ -190,6 +180,33 @@ namespace Signorini
       section.fail(
         "Traction",
         "one of Traction, Pressure, Total force or Total moment is required with Boundaries");
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  Load<dim>::traction_at(const dealii::Point<dim> &x, const double t) const
+  {
+    return axes.to_global(traction.value(x, t), x);
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  Load<dim>::body_force_at(const dealii::Point<dim> &x, const double t) const
+  {
+    return axes.to_global(body_force.value(x, t), x);
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  Load<dim>::force_at(const dealii::Point<dim> &x, const double t) const
+  {
+    return axes.to_global(force.value(x, t), x);
   }
 
 

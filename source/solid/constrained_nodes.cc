@@ -2,6 +2,7 @@
 #include "solid/constrained_nodes.h"
 
 #include "solid/node_constrainer.h"
+#include <signorini/solid/local_axes.h>
 
 #include <utility>
 
@@ -11,6 +12,33 @@ namespace Signorini
 
   namespace
   {
+    /// The directions of the components at x that a support prescribes. On the axis of cylindrical
+    /// coordinates radial and circumferential displacements vanish, so that all directions across
+    /// it count as prescribed if one of these is.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    prescribed_directions(const Support<dim> &support, const Point<dim> &x)
+    {
+      const Tensor<2, dim>        axes = support.axes.at(x);
+      std::vector<Tensor<1, dim>> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (support.displacement.prescribed(d))
+          {
+            if (axes[d].norm() > 0)
+              result.push_back(without_rounding<dim>(axes[d]));
+            else
+              // Directions that depend on others are dropped when equations are eliminated.
+              for (unsigned int k = 0; k < dim; ++k)
+                {
+                  Tensor<1, dim> across = axis<dim>(k);
+                  if constexpr (dim == 3)
+                    across -= (across * axes[2]) * axes[2];
+                  result.push_back(across);
+                }
+          }
+      return result;
+    }
+
     /// Constrain the given components of a support of type `displacement`. Nodes are visited by
     /// several faces but constrained once.
     template <int dim>
@@ -24,9 +52,8 @@ namespace Signorini
         if (!node.prescribed_directions.empty() &&
             node.prescribed_directions.back().support == &support)
           return;
-        for (unsigned int d = 0; d < dim; ++d)
-          if (support.displacement.prescribed(d))
-            node.prescribed_directions.push_back({axis<dim>(d), &support});
+        for (const Tensor<1, dim> &direction : prescribed_directions(support, node.position))
+          node.prescribed_directions.push_back({direction, &support});
       };
       for (const std::string &boundary : support.boundaries)
         finder.on_boundary(mesh.boundary_ids(boundary),

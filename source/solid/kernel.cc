@@ -261,7 +261,7 @@ namespace Signorini
     for (const unsigned int q : values.quadrature_point_indices())
       {
         const Point<dim>    &x       = values.quadrature_point(q);
-        const Tensor<1, dim> density = load.body_force.value(x, t);
+        const Tensor<1, dim> density = load.body_force_at(x, t);
         check(density.norm(), load, "Body force", load.body_force.text(), x);
         const Tensor<1, dim> force = density * values.JxW(q) * measure(model, x);
         for (const unsigned int i : values.dof_indices())
@@ -283,7 +283,7 @@ namespace Signorini
     for (const auto &one : *nodal_forces.on(cell->active_cell_index()))
       {
         const Tensor<1, dim> force = one.value(t);
-        check(one.load->force.value(one.position, t).norm(),
+        check(one.load->force_at(one.position, t).norm(),
               *one.load,
               "Force",
               one.load->force.text(),

@@ -12,7 +12,7 @@ namespace Signorini
   Tensor<1, dim>
   NodalForces<dim>::Force::value(const double t) const
   {
-    return load->force.value(position, t) + load->total_force.value(position, t) / n_shares;
+    return load->force_at(position, t) + load->total_force.value(position, t) / n_shares;
   }
 
 

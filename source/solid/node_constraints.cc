@@ -73,7 +73,7 @@ namespace Signorini
       if (!constraint_at_node.support)
         return 0;
       return constraint_at_node.support->type == SupportType::displacement ?
-               constraint_at_node.support->displacement.value(node.position, t) *
+               constraint_at_node.support->displacement_at(node.position, t) *
                  constraint_at_node.direction :
                constraint_at_node.support->normal_displacement.value(node.position, t);
     }

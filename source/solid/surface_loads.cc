@@ -163,7 +163,7 @@ namespace Signorini
       return result;
     for (const Load<dim> *load : found->second)
       {
-        const Tensor<1, dim> traction = load->traction.value(x, t);
+        const Tensor<1, dim> traction = load->traction_at(x, t);
         const double         pressure = load->pressure.value(x, t);
         if (check_finite_value(traction.norm(), *load, "Traction", load->traction.text(), x))
           result.traction += traction;

@@ -36,7 +36,7 @@ namespace Signorini
             // The pressure acts against the outward normal. Reference normals are used at finite
             // strain too: what is compared is the quadrature and not the load.
             const Tensor<1, dim> traction =
-              load.traction.value(x, t) - load.pressure.value(x, t) * face.normal(xi);
+              load.traction_at(x, t) - load.pressure.value(x, t) * face.normal(xi);
             const double area = rule.weight(q) * face.jacobian(xi) * measure(model, x);
             force += area * traction;
             // Resultants may cancel, as that of a pressure on a closed surface; the integral of the
@@ -67,7 +67,8 @@ namespace Signorini
     std::vector<CheckResult> check_results;
     for (const Load<dim> &load : scene.loads)
       {
-        if (!load.traction.depends_on_place() && !load.pressure.depends_on_place())
+        if (load.axes.are_global() && !load.traction.depends_on_place() &&
+            !load.pressure.depends_on_place())
           continue;
         std::array<Sum<dim>, 2> sums; // as it was integrated, and with more points
         // The usual rule is that of the load integration with p + 2 Gauss points in each direction.

@@ -347,6 +347,8 @@ namespace Signorini
           if (const ObstacleTip deepest = deepest_tip(*obstacle, now, pair.slave);
               deepest.depth > tip.depth)
             tip = deepest;
+        if (!pair.acts(now.time))
+          continue;
         if (!pair.found)
           check_results.push_back(check_pair_active(pair.name, extent));
         // While an initial overlap is applied gradually, part of it is penetration on purpose.

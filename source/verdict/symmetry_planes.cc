@@ -17,13 +17,13 @@ namespace Signorini
     may_be_symmetry(const Support<dim> &support, const Tensor<1, dim> &normal)
     {
       // A support that begins or ends is no property of the geometry.
-      if (support.from > 0 || support.until > 0)
+      if (support.is_limited() || !support.axes.are_global())
         return false;
       if (support.type != SupportType::displacement)
         return support.type == SupportType::symmetry;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          // Prescribed components are along the axes, so that only planes normal to an axis
+          // Prescribed components are along the global axes, so that only planes normal to an axis
           // qualify.
           const bool is_normal = std::abs(normal[d]) > 1 - 1e-6;
           if (support.displacement.prescribed(d) != is_normal || !support.displacement.is_zero(d))

@@ -165,6 +165,33 @@ def shifted(scene, pairs, distances, sets):
     return body
 
 
+def sectors(test):
+    """A sector with cyclic ties against the whole ring, of the same mesh."""
+    scene = VARIED / "sectors.prm"
+    whole = ["Bodies/ring/Part=full", "Bodies/ring/Cells around=32"]
+    alone = ["Bodies/Names=ring", "Supports/Names=bore, position"]
+    for degree in (1, 2):
+        sets = [f"Mesh/Degree={degree}", *alone, *method("Lagrange multiplier")]
+        parts = [test.results(scene, [*sets, "Contact pairs/Names=ring sectors"])["load_steps"][-1]["probes"],
+                 test.results(scene, [*sets, *whole, "Contact pairs/Names="])["load_steps"][-1]["probes"]]
+        for probe in parts[0]:
+            u, v = (part[probe]["displacement"] for part in parts)
+            test.check(math.dist(u, v) <= 1e-9 * math.hypot(*v), f"{probe}: {u} instead of {v}")
+    # Where contact meets the cut, pressures of its two nodes are two unknowns and not one: an error of the mesh.
+    fit = ["Supports/Names=drive, outside"]
+    for name in ("Lagrange multiplier", "penalty", "Nitsche"):
+        sector = test.results(scene, [*fit, *method(name)])
+        ring = test.results(scene, [*fit, *whole, "Bodies/shaft/Part=full", "Bodies/shaft/Cells around=24",
+                                    "Contact pairs/Names=fit", *method(name)])
+        for one, all_of_it in zip(sector["load_steps"], ring["load_steps"]):
+            part, wanted = one["pairs"]["fit"], all_of_it["pairs"]["fit"]
+            for key, factor, tolerance in (("normal_force", 4, 1e-3), ("max_pressure", 1, 0.1)):
+                deviation = abs(factor * part[key] / wanted[key] - 1)
+                test.print(f"{name:20} {key:13} {wanted[key]:9.4f} of the ring, {deviation:8.1e} off")
+                test.check(deviation <= tolerance, f"{name}, {key}: {factor * part[key]} instead of {wanted[key]}")
+            test.check(one["force_balance"] < 1e-8, f"{name}: forces of the sector are not in balance")
+
+
 def cases():
     def table(check, scenes, ranks=1, label="quick", methods=METHODS, sets=()):
         for scene in scenes:
@@ -196,6 +223,7 @@ def cases():
     yield from table(ranks, ("patch-3d-distorted",), 4, "full", METHODS[1:], ["Bodies/upper/Degree=2"])
     for name in ("Lagrange multiplier", "augmented Lagrangian"):
         yield Case("invariance/units", f"small-overlap/{short(name)}", small_overlaps(*method(name)))
+    yield Case("invariance/sectors", "rings", sectors)
     # A body whose cells are merged for p4est, and not for METIS.
     yield Case("invariance/ranks", "merged-cells", labels={"full"}, ranks=4,
                body=ranks(SCENES / "patch-3d.prm", ["Bodies/lower/Subdivisions=12,12,12", "Bodies/upper/Subdivisions=8,8,8",

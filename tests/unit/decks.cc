@@ -793,7 +793,7 @@ TEST_CASE("import: what leaves nothing to solve is refused")
     cube + "*ELSET, ELSET=e\n1\n" + of_cube + "*SOLID SECTION, ELSET=e, MATERIAL=m\n";
   says(attempt(solid + "*MATERIAL, NAME=M\n*ELASTIC\n1, 0\n"), "the material 'M' is there twice");
   says(attempt(solid +
-               "*BOUNDARY\n1, 1, 3\n*NSET, NSET=n\n1, 2\n*TRANSFORM, NSET=n\n0,1,0,1,0,0\n"),
+               "*BOUNDARY\n1, 1, 2\n*NSET, NSET=n\n1, 2\n*TRANSFORM, NSET=n\n0,1,0,1,0,0\n"),
        "*TRANSFORM of nodes that have *BOUNDARY or *CLOAD above");
   says(attempt(solid + "*NSET, NSET=5\n1, 2\n*BOUNDARY\n5, 1\n"),
        "a set of nodes is called as a number: 5");
@@ -1192,4 +1192,104 @@ TEST_CASE("import: stabilisation forces are to be checked where supports are lef
       CAPTURE(support);
       CHECK(suspects(support));
     }
+}
+
+
+
+// The faces x = 0 and y = 0 of a cube are a right angle apart about z.
+TEST_CASE("import: cyclic ties are tied pairs with a rotated master")
+{
+  for (const auto &[slave, master, angle] :
+       {std::make_tuple("x0", "y0", 90.), std::make_tuple("y0", "x0", -90.)})
+    {
+      const TemporaryFile file(
+        cube + "*ELSET, ELSET=e\n1\n*SURFACE, NAME=y0\n1, S3\n*SURFACE, NAME=x0\n1, S6\n" +
+          of_cube + "*SOLID SECTION, ELSET=e, MATERIAL=m\n*TIE, CYCLIC SYMMETRY, NAME=t\n" + slave +
+          ", " + master + "\n*CYCLIC SYMMETRY MODEL, N=4, TIE=t\n0, 0, -1, 0, 0, 1\n" +
+          "*STEP\n*STATIC\n1., 1.\n*END STEP\n",
+        ".inp");
+      const auto [text, messages] = imported(file.path);
+      const Scene<3> scene        = checked<3>(text);
+      CHECK(messages.empty());
+      REQUIRE(scene.pairs.size() == 1);
+      const ContactPair<3> &pair = scene.pairs[0];
+      CHECK(pair.is_tied);
+      CHECK(pair.image.rotation == doctest::Approx(angle));
+      const Point<3> corner = angle > 0 ? Point<3>(1, 0, 0.5) : Point<3>(0, 1, 0.5),
+                     image  = angle > 0 ? Point<3>(0, 1, 0.5) : Point<3>(1, 0, 0.5);
+      CHECK(pair.image.of(corner).distance(image) < 1e-14);
+      CHECK(pair.image.origin_of(image).distance(corner) < 1e-14);
+    }
+}
+
+
+
+// Cylindrical axes about z through the middle of the cube, and x' along y at the upper nodes.
+TEST_CASE("import: supports and forces in the axes of *TRANSFORM")
+{
+  const auto deck = [](const std::string &loads) {
+    return cube + "*ELSET, ELSET=e\n1\n*NSET, NSET=low\n1, 2, 3, 4\n*NSET, NSET=up\n5, 6\n" +
+           "*NSET, NSET=all\n1, 2, 3, 4, 5, 6, 7, 8\n" + of_cube +
+           "*DENSITY\n2.\n*SOLID SECTION, ELSET=e, MATERIAL=m\n" +
+           "*TRANSFORM, NSET=low, TYPE=C\n0.5, 0.5, 0, 0.5, 0.5, 1\n" +
+           "*TRANSFORM, NSET=up\n0, 1, 0, -1, 0, 0\n*STEP\n*STATIC\n1., 1.\n" + loads +
+           "*END STEP\n";
+  };
+  const TemporaryFile file(
+    deck(
+      "*BOUNDARY\nlow, 1, 1, 0.1\nlow, 3, 3\n*CLOAD\nup, 1, 3.\n*DLOAD\ne, CENTRIF, 5., 0, 2, 0, 1, 0, 0\n"),
+    ".inp");
+  const auto [text, messages] = imported(file.path);
+  const Scene<3> scene        = checked<3>(text);
+  CHECK(messages.empty());
+  REQUIRE(scene.supports.size() == 1);
+  const Support<3>  &support = scene.supports[0];
+  const Tensor<1, 3> u       = support.displacement_at({1, 1, 0}, 1);
+  CHECK((u - Tensor<1, 3>({0.1 / std::sqrt(2.), 0.1 / std::sqrt(2.), 0})).norm() < 1e-14);
+  // There is no radial direction on the axis.
+  CHECK(std::isnan(support.displacement_at({0.5, 0.5, 0}, 1).norm()));
+  CHECK_FALSE(support.displacement.prescribed(1));
+  REQUIRE(scene.loads.size() == 2);
+  CHECK((scene.loads[0].force_at({0, 0, 1}, 1) - Tensor<1, 3>({0, 3, 0})).norm() < 1e-14);
+  // Density 2 times 5 times the distance from the x axis through y = 2.
+  CHECK((scene.loads[1].body_force_at({7, 3, 4}, 1) - Tensor<1, 3>({0, 10, 40})).norm() < 1e-12);
+  const TemporaryFile mixed(deck("*CLOAD\nall, 1, 3.\n"), ".inp");
+  CHECK_THROWS_AS(imported(mixed.path), SceneError);
+}
+
+
+
+TEST_CASE("import: *MODEL CHANGE and *CHANGE FRICTION act from the beginning of their step")
+{
+  const std::string step = "*STEP\n*STATIC\n1., 1.\n", end = "*END STEP\n";
+  const auto        with = [&](const std::string &first, const std::string &second) {
+    return cube +
+           "*NODE\n11, 0, 0, 1\n12, 1, 0, 1\n13, 1, 1, 1\n14, 0, 1, 1\n15, 0, 0, 2\n16, 1, 0, 2\n"
+                  "17, 1, 1, 2\n18, 0, 1, 2\n*ELEMENT, TYPE=C3D8\n2, 11, 12, 13, 14, 15, 16, 17, 18\n"
+                  "*ELSET, ELSET=e\n1, 2\n*SURFACE, NAME=s\n2, S1\n*SURFACE, NAME=m\n1, S2\n" +
+           of_cube +
+           "*SOLID SECTION, ELSET=e, MATERIAL=m\n*SURFACE INTERACTION, NAME=i\n*FRICTION\n0.1, 0.\n"
+                  "*CONTACT PAIR, INTERACTION=i, TYPE=SURFACE TO SURFACE\ns, m\n" +
+           step + first + end + step + second + end;
+  };
+  const std::string change = "*MODEL CHANGE, TYPE=CONTACT PAIR, ", of_pair = "\ns, m\n";
+  const auto        pairs = [&](const std::string &first, const std::string &second) {
+    const TemporaryFile file(with(first, second), ".inp");
+    const auto [text, messages] = imported(file.path);
+    CHECK(messages.empty());
+    return checked<3>(text).pairs;
+  };
+  const auto late = pairs(change + "REMOVE" + of_pair, change + "ADD" + of_pair);
+  REQUIRE(late.size() == 1);
+  CHECK_FALSE(late[0].acts(1));
+  CHECK(late[0].acts(1.5));
+  const auto early = pairs("", change + "REMOVE" + of_pair);
+  REQUIRE(early.size() == 1);
+  CHECK(early[0].acts(1));
+  CHECK_FALSE(early[0].acts(1.5));
+  CHECK(pairs(change + "REMOVE" + of_pair, "").empty());
+  const auto slippery = pairs("", "*CHANGE FRICTION, INTERACTION=i\n*FRICTION\n0.3, 0.\n");
+  REQUIRE(slippery.size() == 1);
+  CHECK(slippery[0].friction.value({}, 1, 1, 0) == doctest::Approx(0.1));
+  CHECK(slippery[0].friction.value({}, 1.5, 1, 0) == doctest::Approx(0.3));
 }

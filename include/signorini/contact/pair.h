@@ -2,7 +2,9 @@
 #pragma once
 
 #include <signorini/contact/contact_compliance.h>
+#include <signorini/contact/master_image.h>
 #include <signorini/parameters/expression.h>
+#include <signorini/parameters/time_span.h>
 
 #include <deal.II/base/point.h>
 
@@ -79,12 +81,13 @@ namespace Signorini
   /// Two surfaces that may touch: the slave, where contact is integrated, and the master, which is
   /// the boundary of another body or an obstacle.
   template <int dim>
-  struct ContactPair
+  struct ContactPair : TimeSpan
   {
     /// Name of the pair; BODY.BOUNDARY of the slave and of the master, or the name of an obstacle.
     std::string name, slave, master;
     std::string slave_location, master_location; ///< in the scene file
-    Formula     initial_gap = "from geometry"; ///< or "closed", or a formula of the place and time
+    /// Or "closed", "kept" (tied surfaces), or a formula of the place and time.
+    Formula initial_gap = "from geometry";
     /// Gaps in the reference configuration up to this value, and penetrations, are closed [length];
     /// negative: none.
     double closes_below = -1;
@@ -98,6 +101,11 @@ namespace Signorini
     Expression<dim>          interference{"1"}; ///< share of initial overlaps that counts at time t
     FrictionCoefficient<dim> friction;
     ContactCompliance        compliance;
+    MasterImage<dim>         image; ///< of the master, which the slave meets
+    /// Of tied surfaces: the slaves of pairs in contact. Nodes that they share with this slave have
+    /// multipliers of contact alone: with both, the contact of two tied nodes would be one
+    /// condition twice.
+    std::vector<std::string> contact_slaves;
     /// Search radius [length]; 0: estimated by the program.
     double search_distance = 0;
     /// Directions along which the extents of the contact area are reported.
@@ -124,7 +132,7 @@ namespace Signorini
     bool
     gap_is_given() const
     {
-      return initial_gap.text != "from geometry";
+      return initial_gap.text != "from geometry" && !keeps_gaps;
     }
 
     /// True if the prescribed gap depends on time.

@@ -168,6 +168,6 @@ namespace Signorini
     /// Let load steps end where supports begin or end. Throws SceneError where a support begins
     /// after the end of the load history.
     void
-    end_steps_at_support_changes();
+    end_steps_at_changes();
   };
 } // namespace Signorini

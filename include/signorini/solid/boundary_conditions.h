@@ -2,6 +2,8 @@
 #pragma once
 
 #include <signorini/parameters/expression.h>
+#include <signorini/parameters/time_span.h>
+#include <signorini/solid/local_axes.h>
 
 #include <string>
 #include <vector>
@@ -47,7 +49,7 @@ namespace Signorini
   /// A prescribed displacement on boundaries of bodies or on nodes: by component, or along one
   /// direction; always, or during a time span.
   template <int dim>
-  struct Support
+  struct Support : TimeSpan
   {
     std::string              name;
     std::vector<std::string> boundaries; ///< "body.boundary"
@@ -61,15 +63,13 @@ namespace Signorini
     Expression<dim> normal_displacement;
     /// Direction that a roller constrains, of any length; zero: normal to the faces.
     dealii::Point<dim> direction;
-    /// The support acts at later times; 0: also at the start.
-    double from = 0;
-    /// The support acts up to this time; 0: to the end.
-    double until = 0;
+    /// The axes to which the components of the displacement refer.
+    LocalAxes<dim> axes;
 
-    /// True if the support acts at time t. A time that equals an end of its span up to rounding
-    /// counts as that end.
-    bool
-    acts(double t) const;
+    /// The prescribed displacement at x, in components of the global axes; zero in components that
+    /// are free.
+    dealii::Tensor<1, dim>
+    displacement_at(const dealii::Point<dim> &x, double t) const;
 
     /// Declare the keys of a support; invalid combinations are reported through the section.
     void
@@ -98,6 +98,20 @@ namespace Signorini
     VectorExpression<dim, dim == 2 ? 1 : 3> total_moment;
     /// Where the total force acts [length]; empty: at the centre of the boundaries.
     std::vector<double> reference;
+    /// The axes to which the components of traction, body force and force refer.
+    LocalAxes<dim> axes;
+
+    /// The traction at x, in components of the global axes [force/area].
+    dealii::Tensor<1, dim>
+    traction_at(const dealii::Point<dim> &x, double t) const;
+
+    /// The body force at x likewise [force/volume].
+    dealii::Tensor<1, dim>
+    body_force_at(const dealii::Point<dim> &x, double t) const;
+
+    /// The force at a node at x likewise [force].
+    dealii::Tensor<1, dim>
+    force_at(const dealii::Point<dim> &x, double t) const;
 
     /// True if the load has a total force or moment on boundaries.
     bool

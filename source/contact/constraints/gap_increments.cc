@@ -76,8 +76,8 @@ namespace Signorini
 
     std::vector<double> result;
     for (const ContactPoint<dim> *point : points)
-      result.push_back((value_at(point->slave, value) - value_at(point->master, value)) *
-                         point->direction -
+      result.push_back(value_at(point->slave, value) * point->direction -
+                       value_at(point->master, value) * point->on_master(point->direction) -
                        value(point->rigid));
     return result;
   }

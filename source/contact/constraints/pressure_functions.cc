@@ -79,7 +79,9 @@ namespace Signorini
     public:
       /// @param degree of the element
       /// @param all_carry also nodes with a prescribed normal displacement carry pressure
+      /// @param elsewhere see set_pressure_functions()
       HangingPressure(const Elasticity<dim>       &elasticity,
+                      const NodeIndices           &elsewhere,
                       const std::vector<FaceNode> &nodes,
                       const unsigned int           degree,
                       const FacePatch<dim>        &patch,
@@ -94,7 +96,8 @@ namespace Signorini
               SparseRow carriers;
               double    others = 0;
               for (const auto &[master, weight] : *entries)
-                if (all_carry || carries_pressure(elasticity, master, degree, patch, xi))
+                if ((all_carry || carries_pressure(elasticity, master, degree, patch, xi)) &&
+                    elsewhere.count(master) == 0)
                   carriers.emplace_back(master, weight);
                 else
                   others += weight;
@@ -168,6 +171,7 @@ namespace Signorini
                          const ContactMethod                 &method,
                          const Basis                          kind,
                          const BoundaryFaces<dim>            &slave,
+                         const NodeIndices                   &elsewhere,
                          const std::vector<PairedPoint<dim>> &paired_points,
                          const std::vector<PairedPoint<dim>> &paired_edge_points,
                          std::vector<ContactPoint<dim>>      &points,
@@ -203,8 +207,18 @@ namespace Signorini
         if (all_prescribed && !must_balance)
           for (FaceNode &node : nodes)
             node.prescribed = false;
-        const HangingPressure<dim> hanging(
-          elasticity, nodes, cell->get_fe().degree, patch, all_prescribed && !must_balance);
+        const auto has_its_own = [&](const FaceNode &node) {
+          return !node.prescribed && elsewhere.count(node.index) == 0;
+        };
+        if (std::any_of(nodes.begin(), nodes.end(), has_its_own))
+          for (FaceNode &node : nodes)
+            node.prescribed = !has_its_own(node);
+        const HangingPressure<dim> hanging(elasticity,
+                                           elsewhere,
+                                           nodes,
+                                           cell->get_fe().degree,
+                                           patch,
+                                           all_prescribed && !must_balance);
         const double        area = area_of(slave.rest[points[first].face], elasticity.model());
         const PressureBasis basis(nodes, shapes, weights, area, kind);
         // The basis in which pressures are evaluated for the output is the standard one also where
@@ -242,6 +256,36 @@ namespace Signorini
 
 
 
+  template <int dim>
+  NodeIndices
+  nodes_of_boundaries(const Elasticity<dim> &elasticity, const std::vector<std::string> &names)
+  {
+    NodeIndices result;
+    BoundaryIds ids;
+    for (const std::string &name : names)
+      ids.insert(elasticity.mesh().boundary_ids(name).begin(),
+                 elasticity.mesh().boundary_ids(name).end());
+    std::vector<types::global_dof_index> indices;
+    if (!ids.empty())
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (!cell->is_artificial() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
+              {
+                const FiniteElement<dim> &fe = cell->get_fe();
+                read_indices<dim>(cell, indices);
+                for (const unsigned int i : nodes_of_face(fe.base_element(0), f))
+                  result.insert(indices[fe.component_to_system_index(0, i)]);
+              }
+    return result;
+  }
+
+
+
+  template NodeIndices
+  nodes_of_boundaries(const Elasticity<2> &, const std::vector<std::string> &);
+  template NodeIndices
+  nodes_of_boundaries(const Elasticity<3> &, const std::vector<std::string> &);
   template bool
   carries_pressure(const Elasticity<2> &,
                    types::global_dof_index,
@@ -259,6 +303,7 @@ namespace Signorini
                          const ContactMethod &,
                          Basis,
                          const BoundaryFaces<2> &,
+                         const NodeIndices &,
                          const std::vector<PairedPoint<2>> &,
                          const std::vector<PairedPoint<2>> &,
                          std::vector<ContactPoint<2>> &,
@@ -268,6 +313,7 @@ namespace Signorini
                          const ContactMethod &,
                          Basis,
                          const BoundaryFaces<3> &,
+                         const NodeIndices &,
                          const std::vector<PairedPoint<3>> &,
                          const std::vector<PairedPoint<3>> &,
                          std::vector<ContactPoint<3>> &,

@@ -4,6 +4,8 @@
 #include "contact/interface/surface.h"
 #include "contact/search/boundary_faces.h"
 
+#include <set>
+
 namespace Signorini
 {
   /// True if a node of a slave face can carry a multiplier. False where its displacement along the
@@ -17,6 +19,13 @@ namespace Signorini
                    unsigned int                    degree,
                    const FacePatch<dim>           &face,
                    const dealii::Point<dim - 1>   &xi);
+
+  using NodeIndices = std::set<dealii::types::global_dof_index>;
+
+  /// The nodes of boundaries on locally owned and ghost cells, by their first degrees of freedom.
+  template <int dim>
+  NodeIndices
+  nodes_of_boundaries(const Elasticity<dim> &elasticity, const std::vector<std::string> &names);
 
   /// The nodes of a slave face with multipliers of their own, by their first degrees of freedom,
   /// and the share of its area that has a projection.
@@ -33,6 +42,8 @@ namespace Signorini
   /// pressure is an independent unknown, nodes whose normal displacement is prescribed or whose
   /// area the master hardly covers have no multipliers, and their neighbours take over, see
   /// PressureBasis.
+  /// @param elsewhere first degrees of freedom of nodes that have multipliers of other pairs, and
+  /// none here either, but where a face has no other nodes
   /// @param paired_points the paired points of `points`, in the same order, sorted by faces
   /// @param paired_edge_points the paired points of `edge_points`, in the same order, sorted by
   /// faces
@@ -44,6 +55,7 @@ namespace Signorini
                          const ContactMethod                 &method,
                          Basis                                basis,
                          const BoundaryFaces<dim>            &slave,
+                         const NodeIndices                   &elsewhere,
                          const std::vector<PairedPoint<dim>> &paired_points,
                          const std::vector<PairedPoint<dim>> &paired_edge_points,
                          std::vector<ContactPoint<dim>>      &points,

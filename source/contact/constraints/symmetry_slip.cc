@@ -23,10 +23,12 @@ namespace Signorini
       const Support<dim> *const support = constraint.support;
       if (!support || support->type == SupportType::symmetry)
         return true; // null: the axis
-      if (support->type != SupportType::displacement || support->from > 0 || support->until > 0)
+      if (support->type != SupportType::displacement || support->is_limited())
         return false;
+      // The direction of a component of other axes may have several global components.
       for (unsigned int d = 0; d < dim; ++d)
-        if (std::abs(constraint.direction[d]) > 1e-6 && !support->displacement.is_zero(d))
+        if ((std::abs(constraint.direction[d]) > 1e-6 || !support->axes.are_global()) &&
+            !support->displacement.is_zero(d))
           return false;
       return true;
     }

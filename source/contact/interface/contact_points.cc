@@ -249,6 +249,8 @@ namespace Signorini
           contact_point(slave.patches[paired.face], rest, paired, face_stiffness, trace));
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
+        if (pair.image.turns())
+          point.turn = pair.image.turn();
         if (elasticity.is_finite_strain())
           {
             point.slave_force_point  = slave.patches[paired.face].position(paired.xi);

@@ -63,7 +63,7 @@ namespace Signorini
     {
       // Within one slave face the surfaces of a pair that touches have a projection; what is
       // farther away counts as lost.
-      const BoundaryFaces<dim>         master(now, pair.master);
+      const auto                       master = BoundaryFaces<dim>::of_master(now, pair);
       std::vector<Point<dim>>          positions;
       std::vector<Tensor<1, dim>>      normals;
       std::vector<ReferencePoint<dim>> rest;

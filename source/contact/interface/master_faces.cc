@@ -22,12 +22,16 @@ namespace Signorini
     public:
       BodyBehind(const Configuration<dim> &configuration,
                  const BoundaryFaces<dim> &boundary,
+                 const MasterImage<dim>   &image,
                  const ContactMethod      &method)
         : boundary(boundary)
+        , image(image)
         , trace(configuration.elasticity())
         , with_slip(method.uses_slip())
         , bound(boundary, with_slip)
-        , with_second_variation(!configuration.is_reference())
+        // The second variation of a gap to a rotated image is left out: it is part of the tangent
+        // alone.
+        , with_second_variation(!configuration.is_reference() && !image.turns())
       {
         if (method.pressure_shift() == PressureShift::normal_stress)
           {
@@ -65,20 +69,24 @@ namespace Signorini
         if (!stress)
           return;
         // The traction on the slave is the reaction, along n it is -n . sigma N (doc/theory,
-        // (2.12)).
+        // (2.12)). Stresses are those of the master itself, not of its image.
         stress->reinit(cell);
         auto directions = stress_directions(master_point.normal, with_slip);
         for (Tensor<1, dim> &direction : directions)
-          direction *= -1;
-        const auto load = loads->at(cell->face(face)->boundary_id(), master_point.rest);
-        BodyStress now =
-          stress->at(unit_point<dim>(face, xi), directions, boundary.rest[i].normal(xi), load);
+          direction = -image.at_master(direction);
+        const auto load =
+          loads->at(cell->face(face)->boundary_id(), image.origin_of(master_point.rest));
+        BodyStress now      = stress->at(unit_point<dim>(face, xi),
+                                    directions,
+                                    image.at_master(boundary.rest[i].normal(xi)),
+                                    load);
         master_point.stress = std::move(now.components);
         master_point.bound  = bound(*stress, i) * now.stiffening;
       }
 
     private:
       const BoundaryFaces<dim>           boundary;
+      const MasterImage<dim>             image;
       Trace<dim>                         trace;
       std::shared_ptr<NormalStress<dim>> stress; ///< null: not used
       std::shared_ptr<SurfaceLoads<dim>> loads;
@@ -95,15 +103,22 @@ namespace Signorini
   MasterFaces<dim>
   master_faces(const Configuration<dim> &configuration,
                const BoundaryFaces<dim> &boundary,
+               const MasterImage<dim>   &image,
                const ContactMethod      &method)
   {
-    return {boundary.patches, BodyBehind<dim>(configuration, boundary, method)};
+    return {boundary.patches, BodyBehind<dim>(configuration, boundary, image, method)};
   }
 
 
 
   template MasterFaces<2>
-  master_faces(const Configuration<2> &, const BoundaryFaces<2> &, const ContactMethod &);
+  master_faces(const Configuration<2> &,
+               const BoundaryFaces<2> &,
+               const MasterImage<2> &,
+               const ContactMethod &);
   template MasterFaces<3>
-  master_faces(const Configuration<3> &, const BoundaryFaces<3> &, const ContactMethod &);
+  master_faces(const Configuration<3> &,
+               const BoundaryFaces<3> &,
+               const MasterImage<3> &,
+               const ContactMethod &);
 } // namespace Signorini

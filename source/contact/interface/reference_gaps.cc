@@ -17,13 +17,14 @@ namespace Signorini
     template <int dim>
     std::vector<double>
     gaps_of_bodies(const Elasticity<dim>               &elasticity,
-                   const std::string                   &master_name,
+                   const ContactPair<dim>              &pair,
                    const BoundaryFaces<dim>            &slave,
                    const double                         limit,
                    const std::vector<PairedPoint<dim>> &paired)
     {
-      const MPI_Comm              comm = elasticity.mesh().communicator();
-      const BoundaryFaces<dim>    master(elasticity, master_name);
+      const MPI_Comm           comm = elasticity.mesh().communicator();
+      const BoundaryFaces<dim> master =
+        BoundaryFaces<dim>::of_master(Configuration<dim>(elasticity), pair);
       std::vector<Point<dim>>     positions;
       std::vector<Tensor<1, dim>> normals;
       double                      farthest = limit;
@@ -76,7 +77,7 @@ namespace Signorini
   {
     std::vector<double> gaps;
     if (!obstacle)
-      gaps = gaps_of_bodies(elasticity, pair.master, slave, limit, paired);
+      gaps = gaps_of_bodies(elasticity, pair, slave, limit, paired);
     else
       for (const PairedPoint<dim> &point : paired)
         gaps.push_back(obstacle->shape->closest(slave.rest[point.face].position(point.xi)).gap);

@@ -221,9 +221,10 @@ namespace Signorini
       master() const
       {
         const BoundaryFaces<dim> boundary =
-          self ? self->masters(slave) : BoundaryFaces<dim>(configuration, pair.master);
-        MasterFaces<dim> faces = master_faces(configuration, boundary, method);
-        if (!at_rest && !has_fixed_points && integration.rule == Rule::segments)
+          self ? self->masters(slave) : BoundaryFaces<dim>::of_master(configuration, pair);
+        MasterFaces<dim> faces = master_faces(configuration, boundary, pair.image, method);
+        if (!at_rest && !pair.image.turns() && !has_fixed_points &&
+            integration.rule == Rule::segments)
           faces.inner_sides = inner_sides(elasticity.mesh(), pair.master, boundary);
         if (self)
           faces.rest = boundary.rest;
@@ -372,15 +373,17 @@ namespace Signorini
         surface.edge_points = make_edge_points(elasticity, slave, edge_points);
         if (method.uses_slip())
           surface.edge_point_frames = surface_frames(slave, edge_points);
-        const std::vector<PressureNodes> functions = set_pressure_functions(elasticity,
-                                                                            method,
-                                                                            integration.basis,
-                                                                            slave,
-                                                                            paired,
-                                                                            edge_points,
-                                                                            surface.points,
-                                                                            surface.edge_points);
-        const unsigned int               n_prescribed =
+        const auto functions =
+          set_pressure_functions(elasticity,
+                                 method,
+                                 integration.basis,
+                                 slave,
+                                 nodes_of_boundaries(elasticity, pair.contact_slaves),
+                                 paired,
+                                 edge_points,
+                                 surface.points,
+                                 surface.edge_points);
+        const unsigned int n_prescribed =
           std::count_if(functions.begin(), functions.end(), [](const PressureNodes &face) {
             return face.covered > 0 && face.own.empty();
           });

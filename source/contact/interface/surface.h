@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,8 @@ namespace Signorini
     /// Displacement shape functions of the slave and of the master at the point and its projection,
     /// hanging nodes condensed; the master's are empty for obstacles.
     FaceShapeFunctions<dim> slave, master;
+    /// The rotation of the master's image, see MasterImage; nothing: none.
+    std::optional<dealii::Tensor<2, dim>> turn;
     /// For obstacles: the displacement along `direction`, over rigid-body degrees of freedom.
     SparseRow rigid;
     /// The multiplier shape functions at the point: (first degree of freedom of the node, value),
@@ -79,6 +82,14 @@ namespace Signorini
     current_gap() const
     {
       return gap - gap_decrease;
+    }
+
+    /// A direction at the image of the master, as it is at the master itself: u^M.on_master(v) is
+    /// the component of the displacement of the image along v.
+    dealii::Tensor<1, dim>
+    on_master(const dealii::Tensor<1, dim> &v) const
+    {
+      return turn ? v * *turn : v;
     }
 
     /// The row of the point in the gap operator, (u^S - u^M).direction = row . u, with the entries
@@ -136,11 +147,15 @@ namespace Signorini
   for_each_entry(const ContactPoint<dim> &point, const Components &components, const Add &add)
   {
     for (const double sign : {1., -1.})
-      for (const NodeShapeFunction<dim> &function : sign > 0 ? point.slave : point.master)
-        if (std::abs(function.value) > 1e-14)
-          for (unsigned int d = 0; d < dim; ++d)
-            if (components[d])
-              add(function.node + d, sign * function.value * point.direction[d]);
+      {
+        const dealii::Tensor<1, dim> n =
+          sign > 0 ? point.direction : point.on_master(point.direction);
+        for (const NodeShapeFunction<dim> &function : sign > 0 ? point.slave : point.master)
+          if (std::abs(function.value) > 1e-14)
+            for (unsigned int d = 0; d < dim; ++d)
+              if (components[d])
+                add(function.node + d, sign * function.value * n[d]);
+      }
     for (const auto &[column, value] : point.rigid)
       add(column, -value);
   }

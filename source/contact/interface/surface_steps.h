@@ -7,6 +7,7 @@
 #include "contact/search/boundary_faces.h"
 #include "contact/search/configuration.h"
 #include "contact/search/search.h"
+#include <signorini/contact/master_image.h>
 #include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/pair.h>
 
@@ -52,11 +53,13 @@ namespace Signorini
   /// The master side of a pair: its faces, and a function that completes a projection by what
   /// depends on the body: shape functions, stiffness, and in displaced configurations the second
   /// variation of the gap (without its factors).
+  /// @param boundary BoundaryFaces::of_master() @param image the same that it is of
   /// @param method also the stress, for Nitsche's method
   template <int dim>
   MasterFaces<dim>
   master_faces(const Configuration<dim> &configuration,
                const BoundaryFaces<dim> &boundary,
+               const MasterImage<dim>   &image,
                const ContactMethod      &method);
 
   /// Project the quadrature points of slave faces onto a rigid obstacle. That needs no mesh, no

@@ -55,6 +55,21 @@ namespace Signorini
 
 
 
+  template <int dim>
+  BoundaryFaces<dim>
+  BoundaryFaces<dim>::of_master(const Configuration<dim> &configuration,
+                                const ContactPair<dim>   &pair)
+  {
+    BoundaryFaces result(configuration, pair.master);
+    if (!pair.image.is_master())
+      for (auto *faces : {&result.patches, &result.rest, &result.start})
+        for (FacePatch<dim> &face : *faces)
+          face = face.moved([&](const Point<dim> &x) { return pair.image.of(x); });
+    return result;
+  }
+
+
+
   // All lists are reduced alike, so that the numbers of faces stay consistent.
   template <int dim>
   BoundaryFaces<dim>

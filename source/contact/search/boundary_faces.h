@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/search/configuration.h"
+#include <signorini/contact/pair.h>
 
 #include <array>
 #include <functional>
@@ -30,6 +31,10 @@ namespace Signorini
     using Choice = std::function<bool(const CellIterator<dim> &, unsigned int)>;
 
     BoundaryFaces(const Configuration<dim> &configuration, const Choice &choice);
+
+    /// The image of the master of a pair; the cells are those of the master.
+    static BoundaryFaces
+    of_master(const Configuration<dim> &configuration, const ContactPair<dim> &pair);
 
     /// The faces for which `chosen` is true. @param chosen one flag for each face
     BoundaryFaces

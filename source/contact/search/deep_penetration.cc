@@ -118,13 +118,13 @@ namespace Signorini
 
 
 
-  // Overlaps that are prescribed by a formula of the gap are no overlaps of the geometry, and a
-  // surface overlaps with itself always.
+  // Overlaps that are prescribed by a formula of the gap are no overlaps of the geometry, a surface
+  // overlaps with itself always, and the image of a body is not the body.
   template <int dim>
   bool
   may_overlap(const Mesh<dim> &mesh, const ContactPair<dim> &pair)
   {
-    return !pair.gap_is_given() && !pair.is_self() &&
+    return !pair.gap_is_given() && !pair.is_self() && pair.image.is_master() &&
            common_depth(extent_of_body(mesh, pair.slave), extent_of_body(mesh, pair.master)) > 0;
   }
 
@@ -140,7 +140,7 @@ namespace Signorini
                      const Obstacle<dim>      *obstacle,
                      const BoundaryFaces<dim> &slave)
   {
-    if (pair.gap_is_given() || pair.is_self())
+    if (pair.gap_is_given() || pair.is_self() || !pair.image.is_master())
       return 0;
     const Mesh<dim> &mesh    = elasticity.mesh();
     const MPI_Comm   comm    = mesh.communicator();

@@ -118,6 +118,18 @@ namespace Signorini
 
 
   template <int dim>
+  FacePatch<dim>
+  FacePatch<dim>::moved(const std::function<Point<dim>(const Point<dim> &)> &motion) const
+  {
+    FacePatch result = *this;
+    std::transform(nodes.begin(), nodes.end(), result.nodes.begin(), motion);
+    result.measure();
+    return result;
+  }
+
+
+
+  template <int dim>
   FacePatch<dim>::FacePatch(const Mapping<dim>                                      &mapping,
                             const unsigned int                                       degree,
                             const typename Triangulation<dim>::active_cell_iterator &cell,

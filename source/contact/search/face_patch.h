@@ -11,6 +11,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace Signorini
@@ -38,6 +39,10 @@ namespace Signorini
               unsigned int                                                     degree,
               const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
               unsigned int                                                     face);
+
+    /// The face after a rigid motion of its points.
+    FacePatch
+    moved(const std::function<dealii::Point<dim>(const dealii::Point<dim> &)> &motion) const;
 
     /// The position x(xi) of a point of the face (doc/theory, (3.1)).
     dealii::Point<dim>

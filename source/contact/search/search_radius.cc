@@ -101,7 +101,7 @@ namespace Signorini
     BoundingBox<dim> box = box_of(slave.patches, comm);
     box.extend(distance);
     const BoundingBox<dim> master =
-      box_of(BoundaryFaces<dim>(elasticity, pair.master).patches, comm);
+      box_of(BoundaryFaces<dim>::of_master(Configuration<dim>(elasticity), pair).patches, comm);
     return box.get_neighbor_type(master) == NeighborType::not_neighbors;
   }
 

@@ -27,7 +27,7 @@ namespace Signorini
     }
 
     /// The components of displacement on which gaps of these points depend; all of them, if
-    /// inclined supports may couple components.
+    /// inclined supports may couple components, or the image of the master is rotated.
     template <int dim>
     Components
     components_of(const std::vector<ContactPoint<dim>> &points,
@@ -39,7 +39,7 @@ namespace Signorini
       result.fill(all);
       for (unsigned int q = first; q < last; ++q)
         for (unsigned int d = 0; d < dim; ++d)
-          result[d] = result[d] || points[q].direction[d] != 0;
+          result[d] = result[d] || points[q].direction[d] != 0 || points[q].turn;
       return result;
     }
 
@@ -60,14 +60,19 @@ namespace Signorini
           const auto frame_of_row = tangents.at(shares[i].row, frame, point.direction);
           // Slave minus master, along the tangents that the row has at this point.
           for (const double sign : {1., -1.})
-            for (const NodeShapeFunction<dim> &function : sign > 0 ? point.slave : point.master)
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  const unsigned int j = position_in(matrix.columns, function.node + d);
-                  for (unsigned int a = 0; a < dim - 1; ++a)
-                    matrix.slip[a](rows[i], j) +=
-                      shares[i].weight * sign * function.value * frame_of_row[a][d];
-                }
+            {
+              auto along = frame_of_row;
+              for (unsigned int a = 0; a < dim - 1 && sign < 0; ++a)
+                along[a] = point.on_master(frame_of_row[a]);
+              for (const NodeShapeFunction<dim> &function : sign > 0 ? point.slave : point.master)
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    const unsigned int j = position_in(matrix.columns, function.node + d);
+                    for (unsigned int a = 0; a < dim - 1; ++a)
+                      matrix.slip[a](rows[i], j) +=
+                        shares[i].weight * sign * function.value * along[a][d];
+                  }
+            }
           for (unsigned int d = 0; d < dim; ++d)
             for (const auto &[column, value] : frame.rigid_motion[d])
               {

@@ -23,7 +23,7 @@ namespace Signorini
   void
   DeckReader::read_ties()
   {
-    for (const char *const option : {"CYCLIC SYMMETRY", "MULTISTAGE", "FLUID"})
+    for (const char *const option : {"MULTISTAGE", "FLUID"})
       if (in.has(option))
         {
           skip_item(option);
@@ -36,7 +36,11 @@ namespace Signorini
       if (words.size() < 2 || words[1].empty())
         in.fail("*TIE needs a slave and a master surface");
       else
-        model.pairs.push_back({words[0], words[1], tied, farthest});
+        {
+          model.pairs.push_back({words[0], words[1], tied, farthest});
+          if (in.has("CYCLIC SYMMETRY"))
+            model.pairs.back().cyclic_tie = upper_case(in.value("NAME"));
+        }
     model.interactions[tied].kind = DeckModel::Interaction::Kind::tied;
   }
 
@@ -148,10 +152,11 @@ namespace Signorini
   void
   DeckReader::read_friction()
   {
+    if (in_step && !counts())
+      return;
     if (in_step)
       {
-        skip_item("its change in a step");
-        model.lacks_supports = true;
+        change_friction();
         return;
       }
     // Zero is the default number of fields on which the coefficient depends.
@@ -218,6 +223,42 @@ namespace Signorini
 
 
 
+  // *CHANGE FRICTION names the interaction that the next *FRICTION belongs to.
+  void
+  DeckReader::begin_change_of_friction()
+  {
+    interaction = upper_case(in.value("INTERACTION"));
+    if (model.interactions.count(interaction) == 0)
+      in.fail("*CHANGE FRICTION of an interaction that is not there above: " + interaction);
+  }
+
+
+
+  // Another coefficient from the beginning of the present step. Load steps end there, so that the
+  // jump is between two of them.
+  void
+  DeckReader::change_friction()
+  {
+    DeckModel::Interaction &one = model.interactions[interaction];
+    Words                   words, more;
+    if (!in.next_line(words) || in.next_line(more) || !in.all_parameters().empty() ||
+        number(words, 0) < 0)
+      {
+        skip_item("its change in a step, which is not that of one coefficient");
+        model.lacks_supports = true;
+        return;
+      }
+    if (model.deck.instances_of.empty() && number(words, 1) != one.stick_slope)
+      skip_item("another stick slope in a step; that of the beginning stays");
+    const std::string now    = long_text(number(words, 0));
+    const double      begin  = model.steps.back().begin;
+    const std::string before = one.friction.empty() ? "0" : one.friction;
+    one.friction =
+      begin > 0 ? "if(t > " + text_of_time(begin) + ", " + now + ", " + before + ")" : now;
+  }
+
+
+
   // Data lines: slave, master. Whether the surfaces exist is not checked here.
   void
   DeckReader::read_pairs()
@@ -232,6 +273,64 @@ namespace Signorini
           {words[0], words[1], in.has("TIED") ? tied : upper_case(in.value("INTERACTION")), 0});
     if (in.has("TIED"))
       model.interactions[tied].kind = DeckModel::Interaction::Kind::tied;
+  }
+
+
+
+  // Data lines: slave, master. Other kinds of changes are those of elements.
+  void
+  DeckReader::read_model_change()
+  {
+    const bool adds = in.has("ADD");
+    if (upper_case(in.value("TYPE")) != "CONTACT PAIR" || !in_step || adds == in.has("REMOVE"))
+      {
+        skip_item("elements are there at all times");
+        return;
+      }
+    if (!counts())
+      return;
+    const double now = model.steps.back().begin;
+    for (Words words; in.next_line(words);)
+      {
+        const auto is_it = [&](const DeckModel::Pair &one) {
+          return words.size() > 1 && upper_case(one.slave) == upper_case(words[0]) &&
+                 upper_case(one.master) == upper_case(words[1]);
+        };
+        const auto pair = std::find_if(model.pairs.begin(), model.pairs.end(), is_it);
+        if (pair == model.pairs.end())
+          in.fail("*MODEL CHANGE of a contact pair that is not there above");
+        if (pair->is_removed() == adds)
+          pair->changes.push_back(now);
+      }
+  }
+
+
+
+  // Data line: two points of the axis. Without TIE it belongs to the only tie.
+  void
+  DeckReader::read_sectors()
+  {
+    const std::string tie = upper_case(in.value("TIE"));
+    const double      n   = number({in.value("N")}, 0);
+    Words             words;
+    if (!(n >= 1) || !in.next_line(words) || words.size() < 6)
+      in.fail("*CYCLIC SYMMETRY MODEL needs the number N of sectors and two points of the axis");
+    // CONTACT makes it part of another analysis.
+    if (in.has("CONTACT"))
+      {
+        skip_item("CONTACT");
+        model.lacks_supports = true;
+        return;
+      }
+    bool found = false;
+    for (DeckModel::Pair &pair : model.pairs)
+      if (pair.cyclic_tie && (tie.empty() || *pair.cyclic_tie == tie))
+        {
+          pair.sectors = {n, triple(words, 0), triple(words, 3)};
+          found        = true;
+        }
+    if (!found)
+      in.fail("*CYCLIC SYMMETRY MODEL of a tie that is not there above");
   }
 
 

@@ -132,6 +132,8 @@ namespace Signorini
     const std::string label = words.size() > 1 ? upper_case(words[1]) : "";
     if (label == "GRAV")
       add_gravity(words);
+    else if (label == "CENTRIF")
+      add_centrifugal_load(words);
     else if (label == "BX" || label == "BY" || label == "BZ")
       {
         // The letters X, Y and Z follow each other, so that their distance from X is the component.
@@ -162,14 +164,36 @@ namespace Signorini
     const double n = std::sqrt(x * x + y * y + z * z);
     if (n == 0)
       in.fail("*DLOAD, GRAV needs a direction");
-    DeckModel::BodyLoad load{upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}};
+    add_body_load({upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}}, number(words, 2));
+  }
+
+
+
+  // Elements or set, CENTRIF, square of the angular velocity, a point of the axis, its direction.
+  void
+  DeckReader::add_centrifugal_load(const Words &words)
+  {
+    const auto [x, y, z] = triple(words, 6);
+    const double n       = std::sqrt(x * x + y * y + z * z);
+    if (n == 0)
+      in.fail("*DLOAD, CENTRIF needs the direction of the axis");
+    add_body_load({upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}, triple(words, 3)},
+                  number(words, 2));
+  }
+
+
+
+  void
+  DeckReader::add_body_load(DeckModel::BodyLoad load, const double size)
+  {
     for (DeckModel::BodyLoad &other : model.gravity)
       // Directions are compared without tolerance: they are unit vectors that were computed from
       // the numbers of the deck in the same way.
-      if (other.name == load.name && other.direction == load.direction)
-        return add(other.size, number(words, 2));
-    load.elements = elements_of(words[0]);
-    add(load.size, number(words, 2));
+      if (other.name == load.name && other.direction == load.direction &&
+          other.center == load.center)
+        return add(other.size, size);
+    load.elements = elements_of(load.name);
+    add(load.size, size);
     model.gravity.push_back(load);
   }
 

@@ -98,6 +98,14 @@ namespace Signorini
       }
     };
 
+    /// The axes of a *TRANSFORM: cylindrical, with two points of the axis; or rotated, with a
+    /// vector along x' and one in the plane of x' and y'.
+    struct Axes
+    {
+      bool                  is_cylindrical;
+      std::array<double, 3> first, second;
+    };
+
     /// A node or set with supports or forces. Their values are in the maps by node, whatever set
     /// has named the node.
     struct AtNodes
@@ -107,6 +115,8 @@ namespace Signorini
       /// Indices of the nodes, each once.
       std::vector<unsigned int> nodes;
       std::array<bool, 3>       components{{false, false, false}};
+      /// Index of the axes to which the components refer; none: the global ones.
+      std::optional<unsigned int> axes = {};
     };
 
     /// Curves by index of node (or element) and component (0, 1, 2); 3, 4, 5 are rotations and
@@ -116,16 +126,18 @@ namespace Signorini
     /// The corners of a face, sorted.
     using Face = MeshFile::Nodes;
 
-    /// Gravity on elements. Lines of one card and of later ones with the same target and direction
-    /// are one load.
+    /// Gravity on elements, or the centrifugal load of a rotation. Lines of one card and of later
+    /// ones with the same target and direction are one load.
     struct BodyLoad
     {
       /// Name of the elements in the deck.
       std::string               name;
       std::vector<unsigned int> elements;
-      /// Unit vector.
+      /// Unit vector, along the axis of a rotation.
       std::array<double, 3> direction;
-      Curve                 size;
+      Curve                 size; ///< acceleration, or square of the angular velocity
+      /// A point of the axis; none: gravity.
+      std::optional<std::array<double, 3>> center = {};
     };
 
     /// Elements with forces per volume along an axis; the values are in `body_forces`.
@@ -167,12 +179,31 @@ namespace Signorini
       double shear_limit = 0;
     };
 
+    /// Cyclic symmetry: the number of sectors, and two points of the axis.
+    struct Sectors
+    {
+      double                number;
+      std::array<double, 3> first, second;
+    };
+
     /// A contact pair, by the names of its surfaces and of its interaction.
     struct Pair
     {
       std::string slave, master, interaction;
       /// Largest distance of surfaces that are tied; 0: none given.
       double farthest;
+      /// Name of a *TIE with CYCLIC SYMMETRY.
+      std::optional<std::string> cyclic_tie = {};
+      std::optional<Sectors>     sectors    = {};
+      /// Times at which *MODEL CHANGE removes and adds the pair, in turn.
+      std::vector<double> changes = {};
+
+      /// True if the pair was removed and not added again.
+      bool
+      is_removed() const
+      {
+        return changes.size() % 2 == 1;
+      }
     };
 
     /// Nodes that follow a reference node rigidly, or share its force and moment.
@@ -214,6 +245,9 @@ namespace Signorini
     /// Materials by names in upper case.
     std::map<std::string, Material> materials;
     std::vector<SolidSection>       sections;
+    /// Axes of *TRANSFORM, and the index of those of each node.
+    std::vector<Axes>                    axes;
+    std::map<unsigned int, unsigned int> axes_of_nodes;
     /// Amplitudes by names in upper case.
     std::map<std::string, Amplitude> amplitudes;
     /// The steps that are computed, in sequence.

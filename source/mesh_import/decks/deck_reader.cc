@@ -42,9 +42,12 @@ namespace Signorini
     {"SURFACE INTERACTION", &DeckReader::begin_interaction},
     {"SURFACE BEHAVIOR", &DeckReader::read_behaviour},
     {"FRICTION", &DeckReader::read_friction},
+    {"CHANGE FRICTION", &DeckReader::begin_change_of_friction},
     {"CONTACT PAIR", &DeckReader::read_pairs},
     {"TIE", &DeckReader::read_ties},
     {"CLEARANCE", &DeckReader::read_clearance},
+    {"MODEL CHANGE", &DeckReader::read_model_change},
+    {"CYCLIC SYMMETRY MODEL", &DeckReader::read_sectors},
     {"RIGID BODY", &DeckReader::read_rigid_body},
     {"COUPLING", &DeckReader::begin_coupling},
     {"KINEMATIC", &DeckReader::end_coupling},
@@ -92,16 +95,13 @@ namespace Signorini
   /// Reasons, for the report, why some keywords are skipped. All others that are not in the
   /// registry are skipped too.
   const std::map<std::string, std::string, IgnoringBlanks> DeckReader::not_modelled = {
-    {"CHANGE FRICTION", "friction does not change in a step"},
     {"PLASTIC", "materials are linear elastic"},
     {"CREEP", "materials are linear elastic"},
     {"EQUATION", "nodes are not tied to each other by equations"},
     {"MPC", "nodes are not tied to each other by equations"},
     {"DISTRIBUTING COUPLING", "forces of a reference node are not distributed"},
     {"KINEMATIC COUPLING", "nodes are not tied to each other by equations"},
-    {"CYCLIC SYMMETRY MODEL", "cyclic symmetry"},
     {"PRE-TENSION SECTION", "pre-tension"},
-    {"MODEL CHANGE", "all elements and contact pairs are there at all times"},
     {"SHELL SECTION", "solids alone have stiffness"},
     {"BEAM SECTION", "solids alone have stiffness"},
     {"MEMBRANE SECTION", "solids alone have stiffness"},
@@ -115,8 +115,7 @@ namespace Signorini
     "CLEARANCE", "END PART", "END STEP", "MATERIAL", "PART", "SOLID SECTION"};
 
   /// Keywords that may have constrained bodies that nothing else constrains.
-  const std::set<std::string, IgnoringBlanks> DeckReader::restraints = {"CHANGE FRICTION",
-                                                                        "EQUATION",
+  const std::set<std::string, IgnoringBlanks> DeckReader::restraints = {"EQUATION",
                                                                         "MPC",
                                                                         "DISTRIBUTING COUPLING",
                                                                         "KINEMATIC COUPLING",
@@ -218,6 +217,15 @@ namespace Signorini
   DeckReader::number(const Words &words, const unsigned int i) const
   {
     return i < words.size() ? real_from(in, words[i]) : 0.;
+  }
+
+
+
+  // Three numbers, the first of them at a position of a data line.
+  std::array<double, 3>
+  DeckReader::triple(const Words &words, const unsigned int first) const
+  {
+    return {{number(words, first), number(words, first + 1), number(words, first + 2)}};
   }
 
 

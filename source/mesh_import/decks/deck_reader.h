@@ -87,6 +87,10 @@ namespace Signorini
     void
     add_gravity(const Words &words);
     void
+    add_centrifugal_load(const Words &words);
+    void
+    add_body_load(DeckModel::BodyLoad load, double size);
+    void
     read_surface_loads();
     void
     read_transform();
@@ -107,7 +111,19 @@ namespace Signorini
     void
     read_friction();
     void
+    begin_change_of_friction();
+    void
+    change_friction();
+    void
     read_pairs();
+    void
+    read_model_change();
+    void
+    read_sectors();
+    std::array<double, 3>
+    triple(const Words &words, unsigned int first) const;
+    std::optional<unsigned int>
+    axes_of(const std::vector<unsigned int> &nodes);
     void
     read_clearance();
 
@@ -176,8 +192,6 @@ namespace Signorini
     /// Whether the present material has been defined before.
     bool         is_again        = false;
     unsigned int n_element_loads = 0;
-    /// Nodes with local axes.
-    std::set<unsigned int> transformed;
     /// Index of the entry of a node or set in a list of the model, by list and name.
     std::map<std::pair<const void *, std::string>, std::size_t> places;
     std::set<std::string>

@@ -121,18 +121,54 @@ namespace Signorini
 
 
 
-  // Local axes are not supported: loads and supports of these nodes are skipped where they occur.
+  // Data line: two vectors (TYPE=R), or two points of the axis (TYPE=C).
   void
   DeckReader::read_transform()
   {
     Members nodes;
     model.deck.nodes.append(in, in.value("NSET"), nodes);
-    // Nodes that were loaded or supported above are already stored with the axes of the model,
-    // which would now be wrong.
+    // What was prescribed above refers to the global axes. Nodes that are fixed in all of them may
+    // get others, in which they are fixed as well.
+    const auto is_fixed = [&](const unsigned int node) {
+      bool result = true;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const auto curve = model.supports.find({node, d});
+          result &= curve != model.supports.end() && curve->second.size() == 1 &&
+                    curve->second[0].value == 0;
+        }
+      return result;
+    };
     for (const unsigned int node : nodes)
       for (unsigned int d = 0; d < 3; ++d)
-        if (model.supports.count({node, d}) + model.forces.count({node, d}) > 0)
+        if ((model.supports.count({node, d}) > 0 && !is_fixed(node)) ||
+            model.forces.count({node, d}) > 0)
           in.fail("*TRANSFORM of nodes that have *BOUNDARY or *CLOAD above; put it before these");
-    transformed.insert(nodes.begin(), nodes.end());
+    const std::string type = upper_case(in.value("TYPE"));
+    if (!type.empty() && type != "R" && type != "C")
+      in.fail("*TRANSFORM, TYPE=" + type + " is not available: R or C");
+    Words words;
+    if (!in.next_line(words) || words.size() < 6)
+      in.fail("*TRANSFORM needs six numbers");
+    model.axes.push_back({type == "C", triple(words, 0), triple(words, 3)});
+    for (const unsigned int node : nodes)
+      model.axes_of_nodes[node] = model.axes.size() - 1;
+  }
+
+
+
+  // The axes of the first node; -1 stands for the global ones.
+  std::optional<unsigned int>
+  DeckReader::axes_of(const std::vector<unsigned int> &nodes)
+  {
+    const auto index_of = [&](const unsigned int node) {
+      const auto found = model.axes_of_nodes.find(node);
+      return found == model.axes_of_nodes.end() ? -1 : static_cast<int>(found->second);
+    };
+    const int result = nodes.empty() ? -1 : index_of(nodes[0]);
+    for (const unsigned int node : nodes)
+      if (index_of(node) != result)
+        in.fail("nodes of one set have the axes of different *TRANSFORM; divide the set");
+    return result < 0 ? std::nullopt : std::optional<unsigned int>(result);
   }
 } // namespace Signorini

@@ -177,16 +177,20 @@ namespace Signorini
 
 
   /// @return the entry of a node or set in a list, which is created if there is none; null, with a
-  /// report, if its nodes have local axes (*TRANSFORM). The pointer is valid until the next call.
-  /// Lists are searched by name in upper case, as names in decks do not distinguish case; the map
-  /// `places` makes this search independent of the number of entries.
+  /// report, if it has the reference node of a coupling with other axes (*TRANSFORM). The pointer
+  /// is valid until the next call. Lists are searched by name in upper case, as names in decks do
+  /// not distinguish case; the map `places` makes this search independent of the number of entries.
   DeckModel::AtNodes *
   DeckReader::at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target)
   {
     const std::string upper = upper_case(target);
     const auto        known = places.find({&list, upper});
     if (known != places.end())
-      return &list[known->second];
+      {
+        if (list[known->second].axes != axes_of(list[known->second].nodes))
+          in.fail("'" + target + "' is named before and after its *TRANSFORM; put that before");
+        return &list[known->second];
+      }
     DeckModel::AtNodes one;
     const AbaqusSet   *set = model.deck.nodes.find(target);
     one.name               = set ? set->name : target;
@@ -194,12 +198,12 @@ namespace Signorini
     // A target of digits would be ambiguous: the node of that number, or the set of that name.
     if (set && target.find_first_not_of("0123456789") == std::string::npos)
       in.fail("a set of nodes is called as a number: " + target + "; give it another name");
-    // In local axes a component is not a coordinate direction. If a support is omitted for this
-    // reason, the body may be free to move, which the report has to mention.
+    // The components of reference nodes are those of obstacles, along the global axes.
+    one.axes = axes_of(one.nodes);
     for (const unsigned int node : one.nodes)
-      if (transformed.count(node) > 0)
+      if (one.axes && model.is_reference(node))
         {
-          skip_item("on nodes whose axes *TRANSFORM turns");
+          skip_item("on a reference node whose axes *TRANSFORM turns");
           model.lacks_supports |= in.keyword() == "BOUNDARY";
           return nullptr;
         }

@@ -3,12 +3,16 @@
 #include "mesh_import/decks/scene_writer.h"
 #include <signorini/parameters/raw.h>
 
+#include <deal.II/physics/transformations.h>
+
 #include <algorithm>
 
 // The sections of bodies and contact pairs.
 
 namespace Signorini
 {
+  using namespace dealii;
+
   /// @return the keys of a material. Linear elastic materials at finite strain are Saint
   /// Venant-Kirchhoff's in decks of CalculiX, and Hencky's (logarithmic strain) in decks with
   /// parts, which are of Abaqus.
@@ -93,6 +97,92 @@ namespace Signorini
 
 
   // A surface of a deck may be on several bodies: each combination of them is a pair.
+  /// @return the keys that turn the master of a cyclic tie to where the slave is.
+  std::vector<std::pair<std::string, std::string>>
+  SceneWriter::sector_keys(const DeckModel::Pair &pair) const
+  {
+    if (!pair.sectors)
+      return {};
+    const auto &[n, first, second] = *pair.sectors;
+    const Point<3> c(first[0], first[1], first[2]);
+    Tensor<1, 3>   e = Point<3>(second[0], second[1], second[2]) - c;
+    e /= e.norm();
+    // The angle has the sign with which the middle of the master comes nearer to that of the slave.
+    const Point<3>        slave = middle_of(pair.slave), master = middle_of(pair.master);
+    const double          angle = 360 / n;
+    std::array<double, 2> distance;
+    for (const double sign : {1., -1.})
+      {
+        const auto turn =
+          Physics::Transformations::Rotations::rotation_matrix_3d(e,
+                                                                  sign * angle * numbers::PI / 180);
+        distance[sign < 0] = (c + turn * (master - c)).distance(slave);
+      }
+    const bool is_positive = distance[0] < distance[1];
+    // In the plane the axis is z, along which the deck's axis may point downwards.
+    const double sign = (is_positive ? 1 : -1) * (dim == 2 && e[2] < 0 ? -1 : 1);
+    return {{"Master rotation", (sign < 0 ? "-360/" : "360/") + long_text(n)},
+            {"Master axis",
+             plane_or_space(first) +
+               (dim == 3 ? "; " + plane_or_space({{e[0], e[1], e[2]}}) : "")}};
+  }
+
+
+
+  /// @return the mean position of the nodes of a surface or set.
+  Point<3>
+  SceneWriter::middle_of(const std::string &surface) const
+  {
+    std::set<unsigned int> nodes;
+    for (const auto &group : model.deck.mesh.groups)
+      if (upper_case(group.name) == upper_case(surface))
+        {
+          nodes.insert(group.nodes.begin(), group.nodes.end());
+          for (const auto &face : group.faces)
+            nodes.insert(face.begin(), face.end());
+        }
+    Point<3> result;
+    for (const unsigned int node : nodes)
+      result += model.deck.mesh.nodes[node] / double(nodes.size());
+    return result;
+  }
+
+
+
+  /// Write the last of the items once for each time span in which *MODEL CHANGE lets it act.
+  void
+  SceneWriter::divide_by_times(const DeckModel::Pair  &pair,
+                               SetNames               &names,
+                               std::vector<SceneItem> &items) const
+  {
+    if (pair.changes.empty())
+      return;
+    const SceneItem one = items.back();
+    items.pop_back();
+    double begin = 0;
+    for (unsigned int i = 0; i <= pair.changes.size(); i += 2)
+      {
+        const bool   lasts = i == pair.changes.size();
+        const double end   = lasts ? 0 : pair.changes[i];
+        if (lasts || end > begin)
+          {
+            items.push_back(one);
+            if (i > 0)
+              items.back().name = names.make_unique_name(one.name);
+            if (begin > 0)
+              items.back().keys.emplace_back("Start time", text_of_time(begin));
+            if (!lasts)
+              items.back().keys.emplace_back("End time", text_of_time(end));
+          }
+        if (i + 1 < pair.changes.size())
+          begin = pair.changes[i + 1];
+        else
+          break;
+      }
+  }
+
+
+
   std::string
   SceneWriter::pairs()
   {
@@ -117,12 +207,22 @@ namespace Signorini
                           "pair");
         using Kind      = DeckModel::Interaction::Kind;
         const Kind kind = found == model.interactions.end() ? Kind::separates : found->second.kind;
+        if (pair.cyclic_tie && !pair.sectors)
+          {
+            model.skip_item("*TIE, CYCLIC SYMMETRY of " + pair.slave +
+                              " without a *CYCLIC SYMMETRY MODEL",
+                            "");
+            model.lacks_supports = true;
+            continue;
+          }
         for (const std::string &slave : split(slaves, ','))
           for (const std::string &master : split(masters, ','))
             {
               items.push_back(
                 {names.make_unique_name(as_name(pair.slave) + " on " + as_name(pair.master)),
                  {{"Slave", slave}, {"Master", master}}});
+              for (const auto &key : sector_keys(pair))
+                items.back().keys.push_back(key);
               if (kind == Kind::tied)
                 items.back().keys.emplace_back("Law", "tied");
               if (kind == Kind::never_separates)
@@ -158,6 +258,7 @@ namespace Signorini
                              });
               if (clearance != model.clearances.end())
                 items.back().keys.emplace_back("Initial gap", long_text(clearance->value));
+              divide_by_times(pair, names, items);
             }
       }
     return section("Contact pairs", items);

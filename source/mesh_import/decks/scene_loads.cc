@@ -24,6 +24,22 @@ namespace Signorini
 
 
 
+    /// @return component d of the vector from the axis of a centrifugal load to a point, (1 - e
+    /// e^T) (x - c), as a formula; empty if it is zero everywhere.
+    std::string
+    distance_from_axis(const DeckModel::BodyLoad &load, const unsigned int d)
+    {
+      const auto &e = load.direction;
+      std::string sum;
+      for (unsigned int k = 0; k < 3; ++k)
+        if (const double factor = (k == d ? 1 : 0) - e[d] * e[k]; factor != 0)
+          sum += (sum.empty() ? "" : " + ") + long_text(factor) + "*(" + "xyz"[k] + " - (" +
+                 long_text((*load.center)[k]) + "))";
+      return sum.empty() ? "" : "(" + sum + ")";
+    }
+
+
+
     /// Append an item; single nodes with equal values are joined in one item.
     void
     add_at_nodes(std::vector<SceneItem> &items,
@@ -83,10 +99,14 @@ namespace Signorini
         const std::string where = by_span.empty() ? "" : nodes_of(group, at.name, "*BOUNDARY");
         if (where.empty())
           continue;
+        const auto axes = axes_keys(at, "*BOUNDARY");
+        if (!axes)
+          continue;
         for (const auto &[span, part] : by_span)
           {
             SceneItem item{as_name(at.name),
                            {{"Nodes", where}, {"Displacement", vector_formula(part, "free")}}};
+            item.keys.insert(item.keys.end(), axes->begin(), axes->end());
             if (span.first > 0)
               late_supports.emplace_back(at.name, span.first);
             if (span.first > 0)
@@ -97,6 +117,45 @@ namespace Signorini
           }
       }
     return section("Supports", items);
+  }
+
+
+
+  /// @return the coordinates of a vector of the deck in this dimension.
+  std::string
+  SceneWriter::plane_or_space(const std::array<double, 3> &v) const
+  {
+    return long_text(v[0]) + ", " + long_text(v[1]) + (dim == 3 ? ", " + long_text(v[2]) : "");
+  }
+
+
+
+  /// @return the keys for the axes of the nodes; nothing, with a report, if they are none of a
+  /// plane scene.
+  std::optional<std::vector<std::pair<std::string, std::string>>>
+  SceneWriter::axes_keys(const DeckModel::AtNodes &at, const std::string &what)
+  {
+    if (!at.axes)
+      return {{}};
+    const auto &[is_cylindrical, first, second] = model.axes[*at.axes];
+    std::array<double, 3> direction             = second;
+    for (unsigned int d = 0; d < 3 && is_cylindrical; ++d)
+      direction[d] -= first[d];
+    // In the plane z is the third axis, and points out of it.
+    const bool is_plane = is_cylindrical ?
+                            direction[0] == 0 && direction[1] == 0 && direction[2] > 0 :
+                            first[2] == 0 && first[0] * second[1] > first[1] * second[0];
+    if (dim == 2 && !is_plane)
+      {
+        model.skip_item(what +
+                          " in axes of *TRANSFORM that leave the plane, or are left-handed in it",
+                        "",
+                        what == "*CLOAD" ? "load" : "support");
+        model.lacks_supports |= what == "*BOUNDARY";
+        return {};
+      }
+    return {{{"Coordinates", is_cylindrical ? "cylindrical" : "rotated"},
+             {"Axes", plane_or_space(first) + (dim == 3 ? "; " + plane_or_space(direction) : "")}}};
   }
 
 
@@ -131,13 +190,15 @@ namespace Signorini
         const DeckModel::AtNodes &at = model.loaded[group.target];
         if (!has_content(group))
           continue;
-        if (const std::string where = nodes_of(group, at.name, "*CLOAD"); !where.empty())
-          add_at_nodes(items,
-                       names,
-                       is_a_node(at),
-                       {as_name(at.name),
-                        {{"Nodes", where},
-                         {"Force", vector_formula(group, "0", 1 / thickness_at(group.members))}}});
+        const std::string where = nodes_of(group, at.name, "*CLOAD");
+        const auto        axes  = axes_keys(at, "*CLOAD");
+        if (where.empty() || !axes)
+          continue;
+        SceneItem item{as_name(at.name),
+                       {{"Nodes", where},
+                        {"Force", vector_formula(group, "0", 1 / thickness_at(group.members))}}};
+        item.keys.insert(item.keys.end(), axes->begin(), axes->end());
+        add_at_nodes(items, names, is_a_node(at), item);
       }
     return items;
   }
@@ -277,7 +338,8 @@ namespace Signorini
             // Gravity is a body force density times acceleration; without a density there is none.
             if (density == 0)
               {
-                model.skip_item("gravity on " + load.name + ", whose material has no *DENSITY",
+                model.skip_item((load.center ? "centrifugal load on " : "gravity on ") + load.name +
+                                  ", whose material has no *DENSITY",
                                 "",
                                 "load");
                 continue;
@@ -288,10 +350,15 @@ namespace Signorini
             const std::string size = formula(history(histories.number(load.size)).points, density);
             std::vector<std::string> words;
             for (unsigned int d = 0; d < dim; ++d)
-              words.push_back(
-                load.direction[d] == 0 ? "0" : long_text(load.direction[d]) + "*(" + size + ")");
-            items.push_back({"gravity of " + as_name(load.name),
-                             {{"Bodies", where}, {"Body force", join(words, "; ")}}});
+              {
+                const std::string share =
+                  load.center ? distance_from_axis(load, d) :
+                                (load.direction[d] == 0 ? "" : long_text(load.direction[d]));
+                words.push_back(share.empty() ? "0" : share + "*(" + size + ")");
+              }
+            items.push_back(
+              {(load.center ? "centrifugal load of " : "gravity of ") + as_name(load.name),
+               {{"Bodies", where}, {"Body force", join(words, "; ")}}});
           }
       }
     return items;

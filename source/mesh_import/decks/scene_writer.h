@@ -5,7 +5,10 @@
 #include "mesh_import/decks/history_groups.h"
 #include "mesh_import/pieces.h"
 
+#include <deal.II/base/point.h>
+
 #include <iosfwd>
+#include <optional>
 
 namespace Signorini
 {
@@ -144,6 +147,18 @@ namespace Signorini
     thickness_at(const std::vector<unsigned int> &nodes) const;
     std::string
     formula(const DeckModel::Points &points, double factor = 1) const;
+    std::optional<std::vector<std::pair<std::string, std::string>>>
+    axes_keys(const DeckModel::AtNodes &at, const std::string &what);
+    std::string
+    plane_or_space(const std::array<double, 3> &v) const;
+    std::vector<std::pair<std::string, std::string>>
+    sector_keys(const DeckModel::Pair &pair) const;
+    dealii::Point<3>
+    middle_of(const std::string &surface) const;
+    void
+    divide_by_times(const DeckModel::Pair  &pair,
+                    SetNames               &names,
+                    std::vector<SceneItem> &items) const;
     std::string
     vector_formula(const MemberGroup &group, const std::string &otherwise, double factor = 1) const;
     const DeckModel::History &
