@@ -30,6 +30,33 @@ namespace Signorini
                       const SearchTolerance                         &range,
                       const std::vector<FixedIntegrationPoint<dim>> &fixed_points);
 
+  /// Throws SceneError on all ranks if a prescribed gap is not a finite number. Collective.
+  template <int dim>
+  void
+  check_gaps(const ContactPair<dim>               &pair,
+             const std::vector<ContactPoint<dim>> &points,
+             const MPI_Comm                        comm);
+
+  /// Folded cells have no stress. Throws SolverFailure. Collective.
+  template <int dim>
+  void
+  check_stresses(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm);
+
+  /// Throws SceneError if surfaces penetrate each other in the reference configuration by more
+  /// than their search distance.
+  template <int dim>
+  void
+  check_search_distance(const double overlap, const ContactPair<dim> &pair);
+
+  /// Throws SceneError on all ranks if an obstacle given by a formula of the gap is used in a
+  /// displaced configuration although the formula is no distance from its surface. Collective.
+  template <int dim>
+  void
+  check_obstacle(const Configuration<dim> &configuration,
+                 const ContactPair<dim>   &pair,
+                 const Obstacle<dim>      &obstacle,
+                 const BoundaryFaces<dim> &slave);
+
   /// The nodes of the slave faces that have contact points; the entries of other faces are empty.
   /// @param functions result of set_pressure_functions()
   template <int dim>
