@@ -25,8 +25,7 @@ def plot_friction(results, solution, title, file):
     figure.suptitle(title, fontsize=11)
     for pair, part in zip(pairs, figure.subfigures(len(pairs), 1, squeeze=False)[:, 0]):
         slave = steps[-1]["pairs"][pair]["slave"]
-        sides = results.get("preflight", {}).get("pairs", {}).get(pair, {"master": "the master"})
-        master = sides["master"] if sides["master"] != slave else sides["slave"]  # the program may have exchanged them
+        master = master_of(results, pair, slave)
         motion = relative_motion(steps, bodies, slave, master)
         part.suptitle(pair, fontsize=10)
         plot_pair(part, steps, pair, master, motion)
@@ -36,14 +35,8 @@ def plot_friction(results, solution, title, file):
 def plot_pair(part, steps, pair, master, motion):
     over_time = [step["pairs"][pair] for step in steps]
     times = [step["time"] for step in steps]
-    force = -np.array([found["friction_force"] for found in over_time])  # on the master
-    largest = force[np.argmax(np.linalg.norm(force, axis=1))]
+    force, direction, resultant = friction_force(over_time)
     tractions = [found["max_tangential_traction"] for found in over_time]
-    bound = max(traction * found["area"] for traction, found in zip(tractions, over_time))
-    resultant = np.linalg.norm(largest) > 1e-3 * bound  # else tractions of all directions cancel, as on a plane of symmetry
-    direction = largest / (np.linalg.norm(largest) or 1)
-    direction = direction * np.sign(direction[np.argmax(abs(direction))])
-    force = force @ direction
     loop = resultant and motion is not None and np.ptp(motion @ direction) > 0
     left, *right = part.subplots(1, 2 if loop else 1, squeeze=False)[0]
 
@@ -51,7 +44,7 @@ def plot_pair(part, steps, pair, master, motion):
     left.plot(times, force if resultant else tractions, "o-", color=FORCE, markersize=4, linewidth=1.4)
     left.set(xlabel="t", xlim=(0, None))
     left.set_ylabel(label, color=FORCE)
-    share = [found["stick_area"] / found["area"] if found["area"] else np.nan for found in over_time]
+    share = stick_shares(over_time)
     other = left.twinx()
     other.plot(times, share, "s--", color=STICK, markersize=3, linewidth=1)
     other.fill_between(times, 0, share, color=STICK, alpha=0.12, linewidth=0)
@@ -70,6 +63,28 @@ def plot_pair(part, steps, pair, master, motion):
     for ax in (left, *right):
         ax.axhline(0, color="black", linewidth=0.6, zorder=0)
         ax.grid(alpha=0.25)
+
+
+def friction_force(over_time):
+    """Of a pair over the load steps: friction force on the master along the direction in which it is largest, that direction, and
+    whether there is a resultant: tractions of all directions cancel, as on a plane of symmetry or under torque."""
+    force = -np.array([found["friction_force"] for found in over_time])
+    largest = force[np.argmax(np.linalg.norm(force, axis=1))]
+    bound = max(found["max_tangential_traction"] * found["area"] for found in over_time)
+    direction = largest / (np.linalg.norm(largest) or 1)
+    direction = direction * np.sign(direction[np.argmax(abs(direction))])
+    return force @ direction, direction, bool(np.linalg.norm(largest) > 1e-3 * bound)
+
+
+def stick_shares(over_time):
+    """Stick area over contact area; NaN without contact."""
+    return [found["stick_area"] / found["area"] if found["area"] else np.nan for found in over_time]
+
+
+def master_of(results, pair, slave):
+    """The other side of a pair, also where the program has exchanged the two."""
+    sides = results.get("preflight", {}).get("pairs", {}).get(pair, {"master": "the master"})
+    return sides["master"] if sides["master"] != slave else sides["slave"]
 
 
 def in_words(direction):

@@ -9,15 +9,15 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-# Corners of a cell by its VTK type: quadrilaterals and hexahedra, plain (9, 12) or Lagrange cells of higher order
-# (70, 72). The latter begin with their corners as well, and corners suffice for a picture.
-CORNERS = {9: 4, 70: 4, 12: 8, 72: 8}
+# Corners of a cell by its VTK type: lines, quadrilaterals and hexahedra, plain (3, 9, 12) or Lagrange cells of higher order
+# (68, 70, 72). The latter begin with their corners as well, and corners suffice for a picture.
+CORNERS = {3: 2, 68: 2, 9: 4, 70: 4, 12: 8, 72: 8}
 
 
 @dataclass
 class Mesh:
     points: np.ndarray  # (n, 3), reference positions; each cell has its own copies of its points
-    cells: np.ndarray  # (m, 4) in 2D or (m, 8) in 3D, indices of points in VTK's order
+    cells: np.ndarray  # (m, 4) in 2D, (m, 8) in 3D, (m, 2) or (m, 4) for surfaces, indices of points in VTK's order
     fields: dict  # name -> (n,) or (n, components)
     names: dict = field(default_factory=dict)  # "body" or "pair" -> what the numbers in that field stand for
 

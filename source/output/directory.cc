@@ -44,7 +44,7 @@ namespace Signorini
       {"", "restart\\.scene(\\.part)?", "^Signorini checkpoint", true},
       {"checkpoint-[0-9]{4,}(\\.tmp)?", "head|part-[0-9]+", "^Signorini checkpoint", false},
       {"",
-       "((bodies|pressure|history|friction|probes|accuracy)\\.png|film\\.gif)",
+       "((bodies|pressure|history|friction|probes|accuracy)\\.png|film\\.gif|report\\.html)",
        "Signorini",
        false},
       {"film", "[0-9]{4,}\\.png", "Signorini", false},

@@ -122,6 +122,7 @@ TEST_CASE("a run removes what an earlier one left, and nothing else")
   for (const char *name :
        {"bodies.png", "history.png", "friction.png", "accuracy.png", "film.gif", "film/0003.png"})
     folder.write(name, "PNG tEXt Software Signorini");
+  folder.write("report.html", "<!DOCTYPE html>\n<!-- Written by Signorini scripts/report -->\n");
   folder.write("profiles/foot.csv", csv);
   folder.write("profiles/step-0001/foot.csv", csv);
   folder.write("profiles/step-0002/foot.csv", csv);
