@@ -20,6 +20,8 @@ namespace Signorini
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
       {
         const ContactPair<dim> &pair = now.pairs[i];
+        // Surfaces of a pair that does not act may penetrate each other.
+        const bool is_idle = idle[i] && pair.acts(now.time);
         if (!scene.obstacle_of(pair))
           // For each boundary of the pair the body on the other side, in both directions.
           for (const auto &[one, other] :
@@ -28,11 +30,11 @@ namespace Signorini
               with_bodies.insert({boundary, *mesh.body_of(other)});
         for (const unsigned int slave : mesh.boundary_ids(pair.slave))
           if (scene.obstacle_of(pair))
-            (idle[i] ? idle_at_obstacles : at_obstacles).insert({slave, pair.master});
+            (is_idle ? idle_at_obstacles : at_obstacles).insert({slave, pair.master});
           else
             for (const unsigned int master : mesh.boundary_ids(pair.master))
               (pair.is_self() ? selves :
-               idle[i]        ? inactive_pairs :
+               is_idle        ? inactive_pairs :
                                 pairs)
                 .insert(std::minmax(slave, master));
         if (pair.is_self())

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The program itself as users start it: exit codes, options, several ranks, messages that come once."""
 
+import re
 import resource
 import signal
 import subprocess
@@ -33,6 +34,16 @@ def steep(test):
     checks = test.results(VARIED / "narrow-block.prm")["verdict"]["checks"]
     found = [one for one in checks if one["check"] == "pressure oscillation"]
     test.check([one["value"] for one in found] == [0], f"{found}")
+
+
+def keywords_of_decks(test):
+    """The table of the guide has each keyword that the reader knows."""
+    reader = (TESTS.parent / "source" / "mesh_import" / "decks" / "deck_reader.cc").read_text()
+    known = re.findall(r'{"([A-Z -]+)", [&"]', reader)
+    guide = (TESTS.parent / "doc" / "guide" / "decks.md").read_text()
+    test.check(len(known) > 80, "the keywords are found")
+    for keyword in known:
+        test.check(f"`*{keyword}`" in guide, f"*{keyword} is in doc/guide/decks.md")
 
 
 def cases():
@@ -71,6 +82,7 @@ def cases():
     yield case("obstacle-overlap", [str(TESTS / "varied" / "obstacle-overlap.prm"), *output], 0, out="WARNED  undetected contact: ")
     yield case("alternating", wavy + named, 0, out="WARNED  pressure oscillation, pair joint: ")
     yield Case("program", "steep", steep)
+    yield Case("program", "keywords of decks", keywords_of_decks)
     rubber = [str(SCENES / "nearly-incompressible.prm"), "--set", "Expected results/Names=", *output]
     displacement = ["--set", "Bodies/block/Formulation=displacement"]
     yield case("factorised", rubber + displacement, 0, out="the iterative solver does not converge: a direct solver is used from here on")

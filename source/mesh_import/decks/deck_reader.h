@@ -123,7 +123,7 @@ namespace Signorini
     std::array<double, 3>
     triple(const Words &words, unsigned int first) const;
     std::optional<unsigned int>
-    axes_of(const std::vector<unsigned int> &nodes);
+    axes_of(const std::vector<unsigned int> &nodes) const;
     void
     read_clearance();
 

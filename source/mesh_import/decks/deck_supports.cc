@@ -157,18 +157,12 @@ namespace Signorini
 
 
 
-  // The axes of the first node; -1 stands for the global ones.
+  /// @return the axes of the first of some nodes; none: the global ones.
   std::optional<unsigned int>
-  DeckReader::axes_of(const std::vector<unsigned int> &nodes)
+  DeckReader::axes_of(const std::vector<unsigned int> &nodes) const
   {
-    const auto index_of = [&](const unsigned int node) {
-      const auto found = model.axes_of_nodes.find(node);
-      return found == model.axes_of_nodes.end() ? -1 : static_cast<int>(found->second);
-    };
-    const int result = nodes.empty() ? -1 : index_of(nodes[0]);
-    for (const unsigned int node : nodes)
-      if (index_of(node) != result)
-        in.fail("nodes of one set have the axes of different *TRANSFORM; divide the set");
-    return result < 0 ? std::nullopt : std::optional<unsigned int>(result);
+    const auto end   = model.axes_of_nodes.end(),
+               found = nodes.empty() ? end : model.axes_of_nodes.find(nodes[0]);
+    return found == end ? std::nullopt : std::optional<unsigned int>(found->second);
   }
 } // namespace Signorini

@@ -201,9 +201,11 @@ namespace Signorini
     // The components of reference nodes are those of obstacles, along the global axes.
     one.axes = axes_of(one.nodes);
     for (const unsigned int node : one.nodes)
-      if (one.axes && model.is_reference(node))
+      if (axes_of({node}) != one.axes || (one.axes && model.is_reference(node)))
         {
-          skip_item("on a reference node whose axes *TRANSFORM turns");
+          skip_item(axes_of({node}) != one.axes ?
+                      "on nodes with the axes of different *TRANSFORM" :
+                      "on a reference node whose axes *TRANSFORM turns");
           model.lacks_supports |= in.keyword() == "BOUNDARY";
           return nullptr;
         }
