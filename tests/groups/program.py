@@ -39,7 +39,8 @@ def steep(test):
 def keywords_of_decks(test):
     """The table of the guide has each keyword that the reader knows."""
     reader = (TESTS.parent / "source" / "mesh_import" / "decks" / "deck_reader.cc").read_text()
-    known = re.findall(r'{"([A-Z -]+)", [&"]', reader)
+    tables = reader[reader.index("DeckReader::registry"):reader.index("DeckReader::of_known_length")]
+    known = re.findall(r'{"([A-Z -]+)",', tables)
     guide = (TESTS.parent / "doc" / "guide" / "decks.md").read_text()
     test.check(len(known) > 80, "the keywords are found")
     for keyword in known:
