@@ -1156,6 +1156,27 @@ TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
         "*CLOAD at 1 nodes");
   warns(rigid, "*BOUNDARY\n5, 4, 4\n", "*BOUNDARY of rotations");
   warns(rigid, "*CLOAD\n5, 4, 1.\n", "*CLOAD of moments");
+  // A plane surface that follows along its normal alone slides on its reference.
+  const TemporaryFile sliding(deck(coupling + "3\n", "*CLOAD\n9, 3, -4.\n"), ".inp");
+  const Scene<3>      slides = checked<3>(imported(sliding.path).first);
+  REQUIRE(slides.pairs.size() == 1);
+  CHECK_FALSE(slides.pairs[0].is_tied);
+  CHECK_FALSE(slides.pairs[0].can_separate);
+  REQUIRE(slides.obstacles.size() == 1);
+  for (const unsigned int i : {2, 3, 4})
+    CHECK(slides.obstacles[0].body.is_free(i));
+  for (const unsigned int i : {0, 1, 5})
+    CHECK_FALSE(slides.obstacles[0].body.is_free(i));
+  // The element of the reference node gives *DISTRIBUTING COUPLING its name.
+  const std::string older =
+    "*ELEMENT, TYPE=DCOUP3D, ELSET=d\n77, 9\n*DISTRIBUTING COUPLING, ELSET=d\n";
+  const TemporaryFile weighted(deck(older + "head, 1.\n", "*CLOAD\n9, 3, -4.\n"), ".inp");
+  const auto [with_weights, none] = imported(weighted.path);
+  CHECK(none.empty());
+  const Scene<3> distributed = checked<3>(with_weights);
+  REQUIRE(distributed.loads.size() == 1);
+  CHECK(distributed.loads[0].total_force.value({}, 0.5)[2] == doctest::Approx(-2));
+  warns(older + "5, 1.\n6, 2.\n7, 1.\n8, 1.\n", "*CLOAD\n9, 3, -4.\n", "its weights");
   // A distributing coupling is a load, unless its reference node is supported.
   const std::string distributing = "*COUPLING, REF NODE=9, SURFACE=top\n*DISTRIBUTING\n1, 3\n";
   warns(distributing, "*BOUNDARY\n9, 1, 1, 0.1\n", "*DISTRIBUTING with a support");

@@ -101,6 +101,40 @@ namespace Signorini
 
 
 
+  // The reference node is that of the element of a set. Data lines: nodes and their weights, which
+  // are left out: the force is distributed over the faces of the nodes.
+  void
+  DeckReader::read_distributing_coupling()
+  {
+    DeckModel::Coupling one;
+    one.keyword            = "*DISTRIBUTING COUPLING";
+    one.is_distributing    = true;
+    const Members elements = elements_of(in.value("ELSET"));
+    if (elements.size() != 1 || model.deck.mesh.elements[elements[0]].nodes.size() != 1)
+      {
+        // Nodes of such elements are known only if they are above these.
+        skip_item("whose ELSET is not one element, with one node that is defined above it");
+        model.lacks_supports = true;
+        return;
+      }
+    one.reference = model.deck.mesh.elements[elements[0]].nodes[0];
+    std::set<double> weights;
+    for (Words words; in.next_line(words);)
+      {
+        const std::vector<unsigned int> more = nodes_of(words[0]);
+        one.name += (one.name.empty() ? "" : " ") + words[0];
+        one.nodes.insert(one.nodes.end(), more.begin(), more.end());
+        weights.insert(number(words, 1));
+      }
+    std::sort(one.nodes.begin(), one.nodes.end());
+    one.nodes.erase(std::unique(one.nodes.begin(), one.nodes.end()), one.nodes.end());
+    if (weights.size() > 1)
+      skip_item("its weights; the force is distributed evenly");
+    model.couplings.push_back(one);
+  }
+
+
+
   // Add a moment about axis d - 3 (d = 4 to 6) to the reference nodes of a target. Returns false if
   // it has other nodes.
   bool

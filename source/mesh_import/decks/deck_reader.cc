@@ -52,6 +52,7 @@ namespace Signorini
     {"COUPLING", &DeckReader::begin_coupling},
     {"KINEMATIC", &DeckReader::end_coupling},
     {"DISTRIBUTING", &DeckReader::end_coupling},
+    {"DISTRIBUTING COUPLING", &DeckReader::read_distributing_coupling},
     {"HEADING", &DeckReader::ignore},
     {"PREPRINT", &DeckReader::ignore},
     {"NODE", &DeckReader::ignore},
@@ -99,7 +100,6 @@ namespace Signorini
     {"CREEP", "materials are linear elastic"},
     {"EQUATION", "nodes are not tied to each other by equations"},
     {"MPC", "nodes are not tied to each other by equations"},
-    {"DISTRIBUTING COUPLING", "forces of a reference node are not distributed"},
     {"KINEMATIC COUPLING", "nodes are not tied to each other by equations"},
     {"PRE-TENSION SECTION", "pre-tension"},
     {"SHELL SECTION", "solids alone have stiffness"},
@@ -117,7 +117,6 @@ namespace Signorini
   /// Keywords that may have constrained bodies that nothing else constrains.
   const std::set<std::string, IgnoringBlanks> DeckReader::restraints = {"EQUATION",
                                                                         "MPC",
-                                                                        "DISTRIBUTING COUPLING",
                                                                         "KINEMATIC COUPLING",
                                                                         "SPRING",
                                                                         "MASS",

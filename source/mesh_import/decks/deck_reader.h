@@ -134,6 +134,8 @@ namespace Signorini
     begin_coupling();
     void
     end_coupling();
+    void
+    read_distributing_coupling();
     unsigned int
     node_of(const std::string &parameter);
 

@@ -5,11 +5,36 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <limits>
 
 // Couplings: obstacles that are attached to surfaces, with tied pairs, and resultants.
 
 namespace Signorini
 {
+  /// @return the axis along which alone a plane surface that is normal to it follows its reference
+  /// node, and slides otherwise; nothing, if the coupling is another one.
+  std::optional<unsigned int>
+  SceneWriter::only_axis(const DeckModel::Coupling &one) const
+  {
+    const auto n = std::count(one.components.begin(), one.components.begin() + dim, true);
+    if (n != 1 || one.is_distributing || one.is_turned || is_finite_strain)
+      return {};
+    const unsigned int axis =
+      std::find(one.components.begin(), one.components.end(), true) - one.components.begin();
+    const std::vector<unsigned int>      nodes     = model.nodes_of(one);
+    const std::vector<dealii::Point<3>> &all_nodes = model.deck.mesh.nodes;
+    double least = std::numeric_limits<double>::max(), most = -least, size = 0;
+    for (const unsigned int node : nodes)
+      {
+        least = std::min(least, all_nodes[node][axis]);
+        most  = std::max(most, all_nodes[node][axis]);
+        size  = std::max(size, all_nodes[node].distance(all_nodes[nodes[0]]));
+      }
+    return most - least <= 1e-8 * size ? std::optional<unsigned int>(axis) : std::nullopt;
+  }
+
+
+
   /// @return the surfaces "BODY.SET, ..." that follow a reference node; empty, with a report, if
   /// there are none. Nodes that are on no whole face of a solid are reported.
   std::string
@@ -138,10 +163,11 @@ namespace Signorini
     std::vector<DeckModel::Coupling> imported;
     for (const DeckModel::Coupling &one : model.couplings)
       {
-        const Reference at   = reference(one);
-        const auto     &held = one.components;
-        const bool      is_whole =
-          std::all_of(held.begin(), held.begin() + dim, [](const bool c) { return c; });
+        Reference   at   = reference(one);
+        const auto &held = one.components;
+        const auto  axis = only_axis(one);
+        const bool  is_whole =
+          axis || std::all_of(held.begin(), held.begin() + dim, [](const bool c) { return c; });
         // All components along turned axes are all components.
         const bool is_held   = one.is_distributing && at.is_held,
                    is_turned = one.is_distributing && one.is_turned;
@@ -177,6 +203,14 @@ namespace Signorini
               coupled_loads.push_back(item);
             continue;
           }
+        // Components that no node follows stay zero, where nothing prescribes them.
+        for (unsigned int d = 0; axis && d < dim; ++d)
+          {
+            if (d != *axis && at.motion[d] == "free")
+              at.motion[d] = at.force[d] = "0";
+            if (d == *axis && dim == 3 && at.rotation[d] == "free")
+              at.rotation[d] = at.moment[d] = "0";
+          }
         item.keys.emplace_back("Shape", "attached");
         item.keys.emplace_back("Displacement", join(at.motion, "; "));
         item.keys.emplace_back("Rotation", join(at.rotation, "; "));
@@ -185,7 +219,9 @@ namespace Signorini
         items.push_back(item);
         for (const std::string &slave : split(where, ','))
           coupled_pairs.push_back({"coupling of " + as_name(one.name),
-                                   {{"Slave", slave}, {"Master", item.name}, {"Law", "tied"}}});
+                                   {{"Slave", slave},
+                                    {"Master", item.name},
+                                    {axis ? "Separation" : "Law", axis ? "none" : "tied"}}});
       }
     // What acts at the reference nodes of other couplings is reported as left out.
     model.couplings = imported;

@@ -106,6 +106,8 @@ namespace Signorini
     };
     Reference
     reference(const DeckModel::Coupling &one);
+    std::optional<unsigned int>
+    only_axis(const DeckModel::Coupling &one) const;
     std::string
     obstacles();
     std::string

@@ -77,7 +77,7 @@ namespace Signorini
                                           {"T3D", 1},    {"R2D", 1},   {"RAX", 1},  {"RB2D", 1},
                                           {"SPRING", 1}, {"CONN", 1},  {"GAP", 1},  {"DASHPOT", 1},
                                           {"PIPE", 1},   {"B2", 1},    {"B3", 1},   {"MASS", 0},
-                                          {"ROTARY", 0}};
+                                          {"ROTARY", 0}, {"DCOUP", 0}};
   } // namespace
 
 
