@@ -89,6 +89,9 @@ namespace Signorini
     for (const dealii::Point<dim> &direction : directions)
       if (direction.norm() == 0)
         section.fail("Extent directions", "the zero vector has no direction; remove it");
+    if (slave == master && !image.is_master())
+      section.fail(image.turns() ? "Master rotation" : "Master shift",
+                   "requires a slave and a master; give the two cuts different boundaries");
     if (is_tied)
       {
         // Keys with their defaults are accepted: the scene that a run writes has all of them.

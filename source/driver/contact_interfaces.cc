@@ -211,7 +211,10 @@ namespace Signorini
         if (!pair.can_separate && pair.acts(build_time) && n_rows(i) == 0)
           throw SceneError(
             pair.master_location + ": no point of '" + pair.slave +
-            "' touches the master of this pair with Separation = none; close the gap, or " +
+            "' touches the master of this pair " +
+            (pair.is_tied ? "that is tied" : "with Separation = none") + "; " +
+            (pair.image.is_master() ? "close the gap, or " :
+                                      "correct Master rotation, Master axis or Master shift, or ") +
             (pair.search_distance > 0 ? "set a larger" : "set its") + " Search distance");
       }
   }

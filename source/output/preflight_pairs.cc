@@ -56,11 +56,16 @@ namespace Signorini
       std::array<double, 2> range{{std::numeric_limits<double>::max(),
                                    std::numeric_limits<double>::max()}}; // least, minus largest
       std::vector<double>   shares(3, 0.);
+      // Of tied surfaces the gaps that are kept are those of the geometry.
+      const auto gap_at = [&](const ContactPoint<dim> &point) {
+        return point.gap - (surface.is_tied ? point.prescribed_gap : 0.);
+      };
       for (const ContactPoint<dim> &point : surface.points)
         {
-          range[0] = std::min(range[0], point.gap);
-          range[1] = std::min(range[1], -point.gap);
-          shares[point.gap < -rounding ? 0 : point.gap <= rounding ? 1 : 2] += point.weight;
+          const double gap = gap_at(point);
+          range[0]         = std::min(range[0], gap);
+          range[1]         = std::min(range[1], -gap);
+          shares[gap < -rounding ? 0 : gap <= rounding ? 1 : 2] += point.weight;
         }
       const double least = Utilities::MPI::min(range[0], comm),
                    most  = -Utilities::MPI::min(range[1], comm);
@@ -70,7 +75,7 @@ namespace Signorini
         {
           // The position of a gap in the range, from 0 to 1; its upper end belongs to the last bin.
           // Points count with their areas, so that the histogram does not depend on the quadrature.
-          const double place = most > least ? (point.gap - least) / (most - least) : 0.;
+          const double place = most > least ? (gap_at(point) - least) / (most - least) : 0.;
           histogram[std::min<unsigned int>(n_bins * place, n_bins - 1)] += point.weight;
         }
       Utilities::MPI::sum(shares, comm, shares);

@@ -164,6 +164,8 @@ namespace Signorini
                          "= no, or another method");
       if (pair.image.turns() && model_of(scene.model) == Model::axisymmetric)
         throw SceneError(place + "does not apply to Model = axisymmetric");
+      if (pair.image.turns() && scene.deformation == Deformation::automatic)
+        throw SceneError(place + "requires Deformation = small");
     }
 
     /// Throws SceneError for keys that do not apply to self-contact.

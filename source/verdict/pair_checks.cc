@@ -315,6 +315,28 @@ namespace Signorini
           "set a larger Search distance; or make the smaller surface the slave"),
         check_matching_nodes(name, share_of_other_nodes)};
     }
+    /// Check that the image of a master lies on its slave, by the gaps that are kept without
+    /// strain. Collective.
+    template <int dim>
+    CheckResult
+    check_image(const std::string &name, const ContactSurface<dim> &surface, const MPI_Comm comm)
+    {
+      double largest = 0;
+      for (const ContactPoint<dim> &point : surface.points)
+        largest = std::max(largest, std::abs(point.prescribed_gap));
+      largest                  = Utilities::MPI::max(largest, comm);
+      CheckResult check_result = make_check_result(
+        "gap of the image / face",
+        name,
+        surface.face_size > 0 ? largest / surface.face_size : 0.,
+        1e-3,
+        "the image of the master does not lie on the slave: the angle, the axis or the shift may be "
+        "wrong, and so may all results be",
+        "check Master rotation, Master axis and Master shift; of curved cuts, refine the mesh");
+      if (check_result.value > 1e-2)
+        check_result.outcome = Outcome::failed;
+      return check_result;
+    }
   } // namespace
 
 
@@ -367,6 +389,9 @@ namespace Signorini
                            covered_share(surface, now.elasticity.mesh().communicator()),
                            is_nodal && !obstacle ? surface.non_matching_share : 0))
               check_results.push_back(one);
+            if (!pair.image.is_master())
+              check_results.push_back(
+                check_image(pair.name, surface, now.elasticity.mesh().communicator()));
             continue;
           }
         if (extent.active == 0 ||

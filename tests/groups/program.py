@@ -88,6 +88,11 @@ def cases():
     displacement = ["--set", "Bodies/block/Formulation=displacement"]
     yield case("factorised", rubber + displacement, 0, out="the iterative solver does not converge: a direct solver is used from here on")
     yield case("locking", rubber + ["--set", "Mesh/Degree=1"], 0, out="WARNED  volumetric locking: ")
+    sector = [str(VARIED / "sectors.prm")]
+    for key, value in (("Bodies/Names", "ring"), ("Supports/Names", "bore, position"), ("Contact pairs/Names", "ring sectors"),
+                       ("Contact pairs/ring sectors/Master rotation", "89.7")):
+        sector += ["--set", f"{key}={value}"]
+    yield case("angle of a sector", sector + output, 3, out="FAILED  gap of the image / face, pair ring sectors: ")
     jump = [str(PRM / "receding-layer.prm"), "--set", "Loads/strip/Pressure=if(x < 5.1, 10, 0)", "--set", "Expected results/Names=",
             *output]
     yield case("load-that-jumps", jump, 0, out="WARNED  load quadrature error, load strip: ")

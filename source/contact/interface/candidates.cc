@@ -2,6 +2,7 @@
 #include "contact/interface/surface_steps.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -53,9 +54,13 @@ namespace Signorini
       {
         // Points that do not touch up to a tenth of a face, the error of meshes of curved surfaces,
         // are dropped, unless a search distance or a given gap selects them.
-        const double most = error_of_mesh * slave.patches[points[i].face].diameter();
-        if (!is_given && pair.search_distance == 0 && points[i].gap > most)
+        // Gaps that are kept would hide that surfaces do not fit, whatever their sign.
+        const double most = error_of_mesh * slave.patches[points[i].face].diameter(),
+                     gap  = pair.keeps_gaps ? std::abs(points[i].gap) : points[i].gap;
+        if (!is_given && pair.search_distance == 0 && gap > most)
           continue;
+        if (pair.keeps_gaps)
+          points[i].prescribed_gap = -points[i].gap;
         if (!is_given)
           points[i].gap = pair.keeps_gaps ? 0. :
                           pair.is_tied    ? points[i].gap :
