@@ -224,6 +224,9 @@ namespace Signorini
     const bool            with_stress = method.pressure_shift() == PressureShift::normal_stress;
     StressBounds<dim>     bound(slave, method.uses_slip());
     const InitialGap<dim> initial_gap(pair);
+    std::optional<Tensor<2, dim>> turn;
+    if (pair.image.turns())
+      turn = pair.image.turn();
     std::optional<NormalStress<dim>> of_body;
     std::optional<SurfaceLoads<dim>> loads;
     // Stresses of the slave cells and loads on their faces are evaluated only for methods that use
@@ -249,8 +252,7 @@ namespace Signorini
           contact_point(slave.patches[paired.face], rest, paired, face_stiffness, trace));
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
-        if (pair.image.turns())
-          point.turn = pair.image.turn();
+        point.turn               = turn;
         if (elasticity.is_finite_strain())
           {
             point.slave_force_point  = slave.patches[paired.face].position(paired.xi);

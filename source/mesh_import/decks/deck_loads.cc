@@ -160,11 +160,7 @@ namespace Signorini
   {
     // Data line: element or set, GRAV, size of the acceleration, its direction, which need not have
     // the length one.
-    const double x = number(words, 3), y = number(words, 4), z = number(words, 5);
-    const double n = std::sqrt(x * x + y * y + z * z);
-    if (n == 0)
-      in.fail("*DLOAD, GRAV needs a direction");
-    add_body_load({upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}}, number(words, 2));
+    add_body_load({upper_case(words[0]), {}, direction(words, 3), {}}, number(words, 2));
   }
 
 
@@ -173,12 +169,21 @@ namespace Signorini
   void
   DeckReader::add_centrifugal_load(const Words &words)
   {
-    const auto [x, y, z] = triple(words, 6);
+    add_body_load({upper_case(words[0]), {}, direction(words, 6), {}, triple(words, 3)},
+                  number(words, 2));
+  }
+
+
+
+  // A unit vector by three numbers of a data line of *DLOAD, the first of them at a position.
+  std::array<double, 3>
+  DeckReader::direction(const Words &words, const unsigned int first) const
+  {
+    const auto [x, y, z] = triple(words, first);
     const double n       = std::sqrt(x * x + y * y + z * z);
     if (n == 0)
-      in.fail("*DLOAD, CENTRIF needs the direction of the axis");
-    add_body_load({upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}, triple(words, 3)},
-                  number(words, 2));
+      in.fail("*DLOAD, " + upper_case(words[1]) + " needs a direction");
+    return {{x / n, y / n, z / n}};
   }
 
 

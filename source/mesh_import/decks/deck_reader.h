@@ -88,6 +88,8 @@ namespace Signorini
     add_gravity(const Words &words);
     void
     add_centrifugal_load(const Words &words);
+    std::array<double, 3>
+    direction(const Words &words, unsigned int first) const;
     void
     add_body_load(DeckModel::BodyLoad load, double size);
     void

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/scene_text.h"
 #include "mesh_import/decks/scene_writer.h"
+#include "mesh_import/formats/rigid_motion.h"
 #include <signorini/parameters/raw.h>
-
-#include <deal.II/physics/transformations.h>
 
 #include <algorithm>
 
@@ -104,21 +103,15 @@ namespace Signorini
     if (!pair.sectors)
       return {};
     const auto &[n, first, second] = *pair.sectors;
-    const Point<3> c(first[0], first[1], first[2]);
-    Tensor<1, 3>   e = Point<3>(second[0], second[1], second[2]) - c;
-    e /= e.norm();
+    const Point<3> a(first[0], first[1], first[2]), b(second[0], second[1], second[2]);
     // The angle has the sign with which the middle of the master comes nearer to that of the slave.
-    const Point<3>        slave = middle_of(pair.slave), master = middle_of(pair.master);
-    const double          angle = 360 / n;
-    std::array<double, 2> distance;
-    for (const double sign : {1., -1.})
-      {
-        const auto turn =
-          Physics::Transformations::Rotations::rotation_matrix_3d(e,
-                                                                  sign * angle * numbers::PI / 180);
-        distance[sign < 0] = (c + turn * (master - c)).distance(slave);
-      }
-    const bool is_positive = distance[0] < distance[1];
+    const Point<3> slave = middle_of(pair.slave), master = middle_of(pair.master);
+    const double   angle    = 2 * numbers::PI / n;
+    const auto     distance = [&](const double sign) {
+      return RigidMotion::about_axis(a, b, sign * angle)(master).distance(slave);
+    };
+    const bool         is_positive = distance(1) < distance(-1);
+    const Tensor<1, 3> e           = (b - a) / (b - a).norm();
     // In the plane the axis is z, along which the deck's axis may point downwards.
     const double sign = (is_positive ? 1 : -1) * (dim == 2 && e[2] < 0 ? -1 : 1);
     return {{"Master rotation", (sign < 0 ? "-360/" : "360/") + long_text(n)},
@@ -159,25 +152,21 @@ namespace Signorini
       return;
     const SceneItem one = items.back();
     items.pop_back();
-    double begin = 0;
-    for (unsigned int i = 0; i <= pair.changes.size(); i += 2)
+    // Begins and ends in turn; the last span has no end if their number is odd.
+    std::vector<double> bounds = {0.};
+    bounds.insert(bounds.end(), pair.changes.begin(), pair.changes.end());
+    for (unsigned int i = 0; i < bounds.size(); i += 2)
       {
-        const bool   lasts = i == pair.changes.size();
-        const double end   = lasts ? 0 : pair.changes[i];
-        if (lasts || end > begin)
-          {
-            items.push_back(one);
-            if (i > 0)
-              items.back().name = names.make_unique_name(one.name);
-            if (begin > 0)
-              items.back().keys.emplace_back("Start time", text_of_time(begin));
-            if (!lasts)
-              items.back().keys.emplace_back("End time", text_of_time(end));
-          }
-        if (i + 1 < pair.changes.size())
-          begin = pair.changes[i + 1];
-        else
-          break;
+        const bool lasts = i + 1 == bounds.size();
+        if (!lasts && bounds[i + 1] <= bounds[i])
+          continue;
+        items.push_back(one);
+        if (i > 0)
+          items.back().name = names.make_unique_name(one.name);
+        if (bounds[i] > 0)
+          items.back().keys.emplace_back("Start time", text_of_time(bounds[i]));
+        if (!lasts)
+          items.back().keys.emplace_back("End time", text_of_time(bounds[i + 1]));
       }
   }
 
