@@ -3,13 +3,11 @@
 
     make-bolted-joint.py FILE
 
-x is the radius, y the axis; the joint of the plates is y = 0. The bolt is drawn too short by 0.02: its head overlaps
-the upper plate by that.
+x is the radius, y the axis; the joint of the plates is y = 0. *PRE-TENSION SECTION cuts the bolt in its middle.
 """
 
 import sys
 
-SHORT = 0.02
 UPPER, LOWER = 8, 12  # thickness of the plates
 
 
@@ -48,9 +46,10 @@ def lines(*stations):
 
 
 def main():
-    head, nut = UPPER - SHORT, -LOWER
+    head, nut = UPPER, -LOWER
+    middle = (head + nut) / 2
     bolt = Part("bolt", lines(0, (5, 5), (5.5, 1), (8, 3)),
-                lines(nut - 8, (nut, 6), (head, 18), (head + 6.4, 5)), 1,
+                lines(nut - 8, (nut, 6), (middle, 9), (head, 9), (head + 6.4, 5)), 1,
                 lambda x, y: x < 5 or not nut < y < head)
     radii = lines(5.5, (8, 3), (14, 6), (30, 8))
     upper = Part("upper", radii, lines(0, (UPPER, 7)), 1001)
@@ -70,6 +69,9 @@ def main():
         text += "".join(f"{e}, " + ", ".join(map(str, nodes)) + "\n" for e, nodes in part.elements.items())
     for name, part, on in surfaces:
         text += f"*SURFACE, NAME={name}, TYPE=ELEMENT\n" + "".join(f"{e}, S{side}\n" for e, side in part.faces(on))
+    section = [element for element, side in bolt.faces(lambda x, y: y == middle) if side == 3]
+    text += "*SURFACE, NAME=section, TYPE=ELEMENT\n" + "".join(f"{e}, S3\n" for e in section)
+    text += f"*NODE\n3001, 0, {middle:g}\n*PRE-TENSION SECTION, SURFACE=section, NODE=3001\n0, 1\n"
     with open(sys.argv[1], "w") as file:
         file.write(text)
 

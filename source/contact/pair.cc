@@ -69,6 +69,7 @@ namespace Signorini
       "estimated from the expected motion, and enlarged if bodies move farther [length]",
       non_negative);
     image.declare(section);
+    pretension.declare(section);
     declare_times(section, "the pair");
     section.rename_key("Directions", "Extent directions");
     section.add("Extent directions",
@@ -114,8 +115,9 @@ namespace Signorini
             "is not available for tied surfaces, which are glued as they are at the start; "
             "remove it, or set Law = contact");
       }
+    pretension.check_keys(section, is_tied);
     // The image of a surface that is exchanged would be that of the other one.
-    if (!image.is_master())
+    if (!master_is_in_place())
       sides = SideChoice::as_named;
     keeps_gaps = initial_gap.text == "kept";
     if (keeps_gaps && !is_tied)

@@ -75,6 +75,9 @@ namespace Signorini
     for (const Obstacle<dim> &obstacle : scene.obstacles)
       if (obstacle.body.can_move())
         rigid_bodies.push_back(obstacle.body);
+    for (const ContactPair<dim> &pair : scene.named_pairs())
+      if (pair.pretension.given())
+        rigid_bodies.push_back(pair.pretension.body(pair.name));
     return std::make_unique<Elasticity<dim>>(mesh,
                                              materials,
                                              scene.supports,

@@ -4,6 +4,7 @@
 #include "base/solver_failure.h"
 #include "contact/constraints/geometric_stiffness.h"
 #include "contact/constraints/inactive_pairs.h"
+#include "contact/search/boundary_faces.h"
 #include "contact/search/obstacle_path.h"
 #include "contact/search/search_radius.h"
 #include "scene/expected_motion.h"
@@ -12,6 +13,7 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -32,11 +34,39 @@ namespace Signorini
     // supports may move farther before they find contact.
     const double gap_decrease = std::max(largest_expected_approach(scene, elasticity.mesh()),
                                          touching * elasticity.mesh().size());
+    for (ContactPair<dim> &pair : decisions.pairs)
+      if (pair.pretension.given())
+        set_direction_of_pretension(pair);
     for (const ContactPair<dim> &pair : decisions.pairs)
       candidate_gap.push_back(pair.compliance.reach() +
                               (elasticity.has_unsupported_modes() ?
                                  std::max(gap_decrease, elasticity.mesh().size() / 10) :
                                  gap_decrease));
+  }
+
+
+
+  // The direction along which a bolt is shortened, of unit length. Collective.
+  template <int dim>
+  void
+  ContactInterfaces<dim>::set_direction_of_pretension(ContactPair<dim> &pair) const
+  {
+    Point<dim> &direction = pair.pretension.direction;
+    if (direction.norm() == 0)
+      {
+        const BoundaryFaces<dim> slave(elasticity, pair.slave);
+        direction = Point<dim>(slave.mean_normal(elasticity.mesh().communicator()));
+        if (direction.norm() < 0.1)
+          throw SceneError(pair.slave_location + ": '" + pair.slave +
+                           "' is a section with a pretension, but its normals have all "
+                           "directions; set Pretension direction");
+      }
+    direction /= direction.norm();
+    if (elasticity.model() == Model::axisymmetric && std::abs(direction[0]) > 1e-6)
+      throw SceneError(
+        pair.slave_location +
+        ": with Model = axisymmetric a pretension is along the axis; choose a section "
+        "across it, or set Pretension direction = 0,1");
   }
 
 

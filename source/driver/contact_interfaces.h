@@ -203,6 +203,9 @@ namespace Signorini
     std::vector<double>
     approach_distances(const LA::Vector &since) const;
 
+    void
+    set_direction_of_pretension(ContactPair<dim> &pair) const;
+
     /// Exchange slave and master of pair i if their meshes and stiffness require it and the other
     /// side can be slave.
     void

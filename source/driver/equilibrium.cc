@@ -200,7 +200,8 @@ namespace Signorini
   bool
   Equilibrium<dim>::is_path_dependent() const
   {
-    return scene.contact.chosen().is_path_dependent() || !elasticity.material_history().empty();
+    return scene.contact.chosen().is_path_dependent() || !elasticity.material_history().empty() ||
+           elasticity.locks_rigid_bodies();
   }
 
 
@@ -322,6 +323,7 @@ namespace Signorini
                                      const double                     t,
                                      const double                     tolerance)
   {
+    elasticity.hold_rigid_bodies(state.displacement);
     elasticity.set_time(t);
     const LA::Vector last = state.displacement;
     state.displacement    = start.value_or(last);

@@ -99,7 +99,7 @@ namespace Signorini
   void
   Problem<dim>::change_supports(const double t)
   {
-    out << "  supports: a change of the active supports" << std::endl;
+    out << "  supports: a change of what is prescribed" << std::endl;
     former_cycles  = multigrid_cycles();
     former_seconds = mesh_seconds();
     auto other     = make_elasticity(decisions, *mesh);

@@ -351,7 +351,9 @@ namespace Signorini
             return true;
         return false;
       };
-      return !scene.loads.empty() ||
+      const auto has_pretension = [](const auto &pair) { return !pair.pretension.force.empty(); };
+      const auto pairs          = scene.named_pairs();
+      return !scene.loads.empty() || std::any_of(pairs.begin(), pairs.end(), has_pretension) ||
              std::any_of(scene.obstacles.begin(), scene.obstacles.end(), has_free);
     }
   } // namespace

@@ -101,6 +101,32 @@ namespace Signorini
       return sum;
     }
 
+    /// @return the shortening of a bolt by its pretension [length]; zero for other pairs.
+    /// Collective.
+    template <int dim>
+    double
+    shortening(const Snapshot<dim> &s, const ContactPair<dim> &pair)
+    {
+      return pair.pretension.given() ?
+               s.elasticity.rigid_motion(
+                 s.displacement)[s.elasticity.rigid_body(pair.pretension.body_name(pair.name)) *
+                                 RigidBody<dim>::n_dofs] :
+               0.;
+    }
+
+    /// @return where the slave of a pair meets its master, as points of application of forces know
+    /// it. Collective.
+    template <int dim>
+    MasterImage<dim>
+    image_of(const Snapshot<dim> &s, const ContactPair<dim> &pair)
+    {
+      MasterImage<dim> result = pair.image;
+      // At small strain forces act on the bodies as they are at rest.
+      if (s.elasticity.is_finite_strain() && pair.pretension.given())
+        result.shift += shortening(s, pair) * pair.pretension.direction;
+      return result;
+    }
+
     /// Sums and extreme values over the points of one pair.
     struct PairSums
     {
@@ -253,6 +279,10 @@ namespace Signorini
         if (!snapshot.pairs[pair].friction.is_zero())
           result[snapshot.pairs[pair].name].update(
             friction_results(snapshot, force.friction_force, sums.patch.area, pair));
+        if (snapshot.pairs[pair].pretension.given())
+          result[snapshot.pairs[pair].name]["pretension"] = {
+            {"tension", force.resultant.force * snapshot.pairs[pair].pretension.direction},
+            {"shortening", shortening(snapshot, snapshot.pairs[pair])}};
         if (snapshot.pairs[pair].is_tied)
           result[snapshot.pairs[pair].name].update(
             tie_results(snapshot, force.friction_force, pair));
@@ -320,10 +350,11 @@ namespace Signorini
         const PairForce<dim>    force = force_of(s, pair);
         largest = std::max({largest, force.resultant.force.norm(), force.sum_of_sizes});
         on_bodies[*mesh.body_of(names.named_slave())] += force.resultant;
+        const MasterImage<dim> image = image_of(s, names);
         if (const auto master = mesh.body_of(names.named_master()))
           on_bodies[*master] +=
-            {-names.image.at_master(force.resultant.force),
-             names.image.moment_at_master(force.reaction_moment, -force.resultant.force)};
+            {-image.at_master(force.resultant.force),
+             image.moment_at_master(force.reaction_moment, -force.resultant.force)};
       }
     // Forces of the size of rounding count as balanced, whatever their directions are.
     if (largest <= rounding_of_forces(s, tolerance))

@@ -240,7 +240,12 @@ namespace Signorini
     for (const Support<dim> &support : supports)
       add(support, "Supports/" + support.name);
     for (const ContactPair<dim> &pair : named_pairs())
-      add(pair, "Contact pairs/" + pair.name);
+      {
+        add(pair, "Contact pairs/" + pair.name);
+        add(pair.pretension.driven, "");
+      }
+    for (const Obstacle<dim> &obstacle : obstacles)
+      add(obstacle.body.driven, "");
     std::sort(load_steps.changes.begin(), load_steps.changes.end());
   }
 

@@ -146,18 +146,27 @@ namespace Signorini
                          "Separation = none, or another Shape");
     }
 
-    /// Throws SceneError where a pair cannot have an image of its master.
+    /// Throws SceneError where the slave of a pair cannot meet its master elsewhere.
     template <int dim>
     void
     check_image(const Scene<dim> &scene, const ContactPair<dim> &pair)
     {
-      if (pair.image.is_master())
+      if (pair.master_is_in_place())
         return;
-      const std::string key   = pair.image.turns() ? "Master rotation" : "Master shift",
-                        place = pair.master_location + ": " + key + " ";
+      const Pretension<dim> &pretension = pair.pretension;
+      const std::string      key        = pair.image.turns()        ? "Master rotation" :
+                                          !pair.image.is_master()   ? "Master shift" :
+                                          !pretension.force.empty() ? "Pretension" :
+                                                                      "Shortening",
+                        place           = pair.master_location + ": " + key + " ";
+      if (pretension.given() && !pair.image.is_master())
+        throw SceneError(place + "does not go with a pretension; remove one of them");
       if (scene.obstacle_of(pair))
         throw SceneError(place + "applies to surfaces of bodies; '" + pair.master +
-                         "' is an obstacle, which can be placed as it should be");
+                         "' is an obstacle, which can be " +
+                         (pretension.given() ? "moved" : "placed as it should be"));
+      if (pretension.given() && pair.until > 0)
+        throw SceneError(place + "requires surfaces that are always tied; remove End time");
       if (scene.contact.chosen().unbiased())
         throw SceneError(place +
                          "requires a slave and a master; set Contact method/Nitsche/Unbiased "

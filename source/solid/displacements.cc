@@ -73,16 +73,76 @@ namespace Signorini
 
 
 
-  // False if the set of active supports at time t differs from that of the present constraints:
-  // then degrees of freedom are constrained that are free now, or the reverse, and K has to be
-  // rebuilt.
+  // False if the set of active supports at time t, or of rigid bodies that are driven, differs from
+  // that of the present constraints: then degrees of freedom are constrained that are free now, or
+  // the reverse, and K has to be rebuilt.
   template <int dim>
   bool
   Displacements<dim>::has_supports_of(const double t) const
   {
-    return std::all_of(my_supports.begin(), my_supports.end(), [&](const Support<dim> &support) {
-      return support.acts(t) == support.acts(my_time_of_supports);
+    const auto as_at_t = [&](const TimeSpan &span) {
+      return span.acts(t) == span.acts(my_time_of_supports);
+    };
+    return std::all_of(my_supports.begin(), my_supports.end(), as_at_t) &&
+           std::all_of(my_rigid_bodies.begin(), my_rigid_bodies.end(), [&](const auto &body) {
+             return as_at_t(body.driven);
+           });
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Displacements<dim>::rigid_body(const std::string &name) const
+  {
+    return std::find_if(my_rigid_bodies.begin(),
+                        my_rigid_bodies.end(),
+                        [&](const auto &body) { return body.name == name; }) -
+           my_rigid_bodies.begin();
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  Displacements<dim>::first_dof(const std::string &name) const
+  {
+    const unsigned int body = rigid_body(name);
+    return body < my_rigid_bodies.size() ? first_dof(body) : numbers::invalid_dof_index;
+  }
+
+
+
+  template <int dim>
+  bool
+  Displacements<dim>::is_free(const unsigned int body, const unsigned int i) const
+  {
+    return my_rigid_bodies[body].is_free(i) &&
+           my_rigid_bodies[body].driven.acts(my_time_of_supports);
+  }
+
+
+
+  template <int dim>
+  bool
+  Displacements<dim>::locks_rigid_bodies() const
+  {
+    return std::any_of(my_rigid_bodies.begin(), my_rigid_bodies.end(), [](const auto &body) {
+      return body.driven.is_limited();
     });
+  }
+
+
+
+  // The values are constraints, which are made anew only where they can have changed.
+  template <int dim>
+  void
+  Displacements<dim>::hold_rigid_bodies(const LA::Vector &u)
+  {
+    if (!locks_rigid_bodies())
+      return;
+    kept_motion = rigid_motion(u);
+    make_constraints(my_time);
   }
 
 
@@ -170,14 +230,17 @@ namespace Signorini
     Compatibility::reinit(all_constraints, locally_owned, locally_relevant);
     all_constraints.merge(hanging);
     constrain(constrained, my_mesh, t, all_constraints);
+    kept_motion.resize(n_rigid_dofs(), 0.);
     for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
       for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-        if (!my_rigid_bodies[body].is_free(i))
+        if (!is_free(body, i))
           {
             all_constraints.add_line(first_dof(body) + i);
             all_constraints.set_inhomogeneity(
               first_dof(body) + i,
-              my_rigid_bodies[body].prescribed(i, t, my_rotation_length_scale));
+              my_rigid_bodies[body].is_free(i) ?
+                kept_motion[body * RigidBody<dim>::n_dofs + i] :
+                my_rigid_bodies[body].prescribed(i, t, my_rotation_length_scale));
           }
     all_constraints.close();
   }

@@ -136,7 +136,8 @@ namespace Signorini
       return my_time_of_supports;
     }
 
-    /// True if the same supports act at time t as at time_of_supports().
+    /// True if the same supports act, and the same rigid bodies are driven, at time t as at
+    /// time_of_supports().
     bool
     has_supports_of(double t) const;
 
@@ -164,12 +165,33 @@ namespace Signorini
       return my_rigid_bodies;
     }
 
+    /// The number of the moving rigid body of this name; that of all of them if none has it.
+    unsigned int
+    rigid_body(const std::string &name) const;
+
     /// The first degree of freedom of moving rigid body i.
     dealii::types::global_dof_index
     first_dof(const unsigned int i) const
     {
       return dofs.n_dofs() + i * RigidBody<dim>::n_dofs;
     }
+
+    /// The first degree of freedom of the moving rigid body of this name; invalid if none has it.
+    dealii::types::global_dof_index
+    first_dof(const std::string &name) const;
+
+    /// True if degree of freedom i of a moving rigid body is an unknown at time_of_supports().
+    bool
+    is_free(unsigned int body, unsigned int i) const;
+
+    /// True if free components of a rigid body are locked at some time, at the motion that the path
+    /// has led to.
+    bool
+    locks_rigid_bodies() const;
+
+    /// Let rigid bodies that are not driven any more keep the motion of u. Collective.
+    void
+    hold_rigid_bodies(const LA::Vector &u);
 
     /// The length by which rotations of rigid bodies are multiplied to become degrees of freedom
     /// [length].
@@ -262,8 +284,10 @@ namespace Signorini
     dealii::IndexSet                  locally_owned, locally_relevant;
     dealii::AffineConstraints<double> hanging, all_constraints;
     ConstrainedNodes<dim>             constrained;
-    double             my_time = 0, my_time_of_supports = 0, my_rotation_length_scale = 1;
-    bool               inclined = false;
-    mutable LA::Vector zero_with_ghosts; ///< of the mesh; empty until it is needed
+    /// The motions that rigid bodies keep when they are not driven, see rigid_motion().
+    std::vector<double> kept_motion;
+    double              my_time = 0, my_time_of_supports = 0, my_rotation_length_scale = 1;
+    bool                inclined = false;
+    mutable LA::Vector  zero_with_ghosts; ///< of the mesh; empty until it is needed
   };
 } // namespace Signorini

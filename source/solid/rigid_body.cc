@@ -61,6 +61,12 @@ namespace Signorini
       "external moment on the obstacle about the Reference point in free components of the Rotation: "
       "formulas in t [force*length]");
     section.add("Reference point", reference, "center of the Rotation [length]");
+    section.add(
+      "Lock time",
+      driven.until,
+      "after this time, at which a load step ends, free components keep the motion that they "
+      "have then, whatever the Force and the Moment are; 0: never",
+      non_negative);
     if (!section.reading())
       return;
     // The type of these formulas is that of fields in space, which may depend on the position.
@@ -76,6 +82,14 @@ namespace Signorini
     if (moment.depends_on_place())
       section.fail("Moment",
                    "depends on x, y or z, but an obstacle is rigid; use formulas in t alone");
+    bool any_free = false;
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      any_free |= is_free(i);
+    if (driven.until > 0 && !any_free)
+      section.fail(
+        "Lock time",
+        "requires a free component; write 'free' for one of Displacement or Rotation, or "
+        "remove it");
     check_driven(section, "Force", force, "Displacement", displacement);
     check_driven(section, "Moment", moment, "Rotation", rotation);
   }

@@ -43,11 +43,11 @@ namespace Signorini
     /// Call visit(body, i) for the free components i of moving rigid bodies.
     template <int dim, typename Visit>
     void
-    for_free_components(const std::vector<RigidBody<dim>> &bodies, const Visit &visit)
+    for_free_components(const Displacements<dim> &displacements, const Visit &visit)
     {
-      for (unsigned int body = 0; body < bodies.size(); ++body)
+      for (unsigned int body = 0; body < displacements.rigid_bodies().size(); ++body)
         for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-          if (bodies[body].is_free(i))
+          if (displacements.is_free(body, i))
             visit(body, i);
     }
 
@@ -150,7 +150,7 @@ namespace Signorini
   UnsupportedModes<dim>::any() const
   {
     bool result = !of_pieces.empty();
-    for_free_components<dim>(displacements.rigid_bodies(), [&](auto, auto) { result = true; });
+    for_free_components<dim>(displacements, [&](auto, auto) { result = true; });
     return result;
   }
 
@@ -166,7 +166,7 @@ namespace Signorini
       result.push_back(displacements.mesh().pieces()[motion.piece].name + ": " +
                        mode_name<dim>(motion.modes));
     const std::vector<RigidBody<dim>> &bodies = displacements.rigid_bodies();
-    for_free_components<dim>(bodies, [&](const unsigned int body, const unsigned int i) {
+    for_free_components<dim>(displacements, [&](const unsigned int body, const unsigned int i) {
       result.push_back(bodies[body].name + ": " + RigidBody<dim>::name_of(i));
     });
     return result;
@@ -210,12 +210,11 @@ namespace Signorini
             if (!displacements.constraints().is_constrained(i))
               result(i) += share;
         }
-    for_free_components<dim>(displacements.rigid_bodies(),
-                             [&](const unsigned int body, const unsigned int i) {
-                               const auto dof = displacements.first_dof(body) + i;
-                               if (displacements.owned().is_element(dof))
-                                 result(dof) += strength * of_rigid_bodies;
-                             });
+    for_free_components<dim>(displacements, [&](const unsigned int body, const unsigned int i) {
+      const auto dof = displacements.first_dof(body) + i;
+      if (displacements.owned().is_element(dof))
+        result(dof) += strength * of_rigid_bodies;
+    });
     result.compress(VectorOperation::add);
     return result;
   }
@@ -267,13 +266,12 @@ namespace Signorini
       result.push_back({name, displacements.zero_vector()});
     set_motions_of_pieces(result);
     unsigned int k = of_pieces.size();
-    for_free_components<dim>(displacements.rigid_bodies(),
-                             [&](const unsigned int body, const unsigned int i) {
-                               const auto dof = displacements.first_dof(body) + i;
-                               if (displacements.owned().is_element(dof))
-                                 result[k].motion(dof) = 1;
-                               ++k;
-                             });
+    for_free_components<dim>(displacements, [&](const unsigned int body, const unsigned int i) {
+      const auto dof = displacements.first_dof(body) + i;
+      if (displacements.owned().is_element(dof))
+        result[k].motion(dof) = 1;
+      ++k;
+    });
     for (UnconstrainedMode &one : result)
       one.motion.compress(VectorOperation::insert);
     return result;

@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_compliance.h>
 #include <signorini/contact/master_image.h>
+#include <signorini/contact/pretension.h>
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/time_span.h>
 
@@ -101,7 +102,8 @@ namespace Signorini
     Expression<dim>          interference{"1"}; ///< share of initial overlaps that counts at time t
     FrictionCoefficient<dim> friction;
     ContactCompliance        compliance;
-    MasterImage<dim>         image; ///< of the master, which the slave meets
+    MasterImage<dim>         image;      ///< of the master, which the slave meets
+    Pretension<dim>          pretension; ///< of tied surfaces that are a section through a bolt
     /// Of tied surfaces: the slaves of pairs in contact. Nodes that they share with this slave have
     /// multipliers of contact alone: with both, the contact of two tied nodes would be one
     /// condition twice.
@@ -138,6 +140,13 @@ namespace Signorini
     /// True if the prescribed gap depends on time.
     bool
     gap_depends_on_time() const;
+
+    /// True if the slave meets the master where that is.
+    bool
+    master_is_in_place() const
+    {
+      return image.is_master() && !pretension.given();
+    }
 
     /// True if slave and master are the same surface, in self-contact.
     bool

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/parameters/expression.h>
+#include <signorini/parameters/time_span.h>
 #include <signorini/solid/rigid_pose.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -36,6 +37,8 @@ namespace Signorini
     VectorExpression<dim, n_rotations> moment;
     /// The reference point in the reference configuration [length].
     dealii::Point<dim> reference;
+    /// When free components are driven by their forces; after that they keep their motion.
+    TimeSpan driven;
 
     /// Declare the keys; formulas that depend on the position are reported through the section.
     void
@@ -48,7 +51,8 @@ namespace Signorini
       return displacement.given() || rotation.given();
     }
 
-    /// True if degree of freedom i is an unknown: its component is given as `free`.
+    /// True if degree of freedom i is an unknown while it is driven: its component is given as
+    /// `free`.
     bool
     is_free(unsigned int i) const;
 

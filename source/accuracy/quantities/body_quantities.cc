@@ -152,10 +152,8 @@ namespace Signorini
   Functional
   motion(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
-    const Elasticity<dim> &e    = s.elasticity;
-    unsigned int           body = 0;
-    while (e.rigid_bodies()[body].name != name.of)
-      ++body;
+    const Elasticity<dim>    &e      = s.elasticity;
+    const unsigned int        body   = e.rigid_body(name.of);
     const std::vector<double> values = e.rigid_motion(s.displacement);
     std::vector<Functional>   components;
     for (unsigned int d = 0; d < dim; ++d)

@@ -13,28 +13,6 @@ namespace Signorini
 
   namespace
   {
-    /// Number of the obstacle among the bodies with degrees of freedom; one more if it is at rest.
-    template <int dim>
-    unsigned int
-    rigid_body(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
-    {
-      const auto &bodies = elasticity.rigid_bodies();
-      return std::find_if(bodies.begin(),
-                          bodies.end(),
-                          [&](const auto &body) { return body.name == obstacle.name; }) -
-             bodies.begin();
-    }
-
-    /// The first degree of freedom of an obstacle; invalid if it is fixed.
-    template <int dim>
-    types::global_dof_index
-    first_dof(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
-    {
-      const unsigned int body = rigid_body(elasticity, obstacle);
-      return body < elasticity.rigid_bodies().size() ? elasticity.first_dof(body) :
-                                                       numbers::invalid_dof_index;
-    }
-
     /// The row n . u of an obstacle at x over its rigid-body degrees of freedom; empty if it is
     /// fixed.
     template <int dim>
@@ -68,7 +46,7 @@ namespace Signorini
                   const double              limit,
                   const bool                with_motion)
   {
-    const auto           first = first_dof(configuration.elasticity(), obstacle);
+    const auto           first = configuration.elasticity().first_dof(obstacle.name);
     const RigidPose<dim> pose  = configuration.pose(obstacle);
     const RigidPose<dim> pose_at_start =
       configuration.start() ? configuration.start()->pose(obstacle) : pose;

@@ -214,6 +214,22 @@ namespace Signorini
             weigh_by_reference_area(slave, edge_points = std::move(pairing.edge_points));
           }
         drop_empty_points(slave.patches, paired);
+        if (pair.pretension.given())
+          shift_with_pretension();
+      }
+
+      /// Let the master of all paired points move with the shortening by a pretension.
+      void
+      shift_with_pretension()
+      {
+        const auto            dof = elasticity.first_dof(pair.pretension.body_name(pair.name));
+        const Tensor<1, dim> &d   = pair.pretension.direction;
+        for (PairedPoint<dim> &point : paired)
+          {
+            point.master_point.rigid = {{dof, point.master_point.normal * d}};
+            for (unsigned int c = 0; c < dim && method.uses_slip(); ++c)
+              point.master_point.rigid_motion[c] = {{dof, d[c]}};
+          }
       }
 
       /// Pair the slave faces of a self-contact surface with its master faces; faces are numbered

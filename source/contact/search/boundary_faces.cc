@@ -65,6 +65,16 @@ namespace Signorini
       for (auto *faces : {&result.patches, &result.rest, &result.start})
         for (FacePatch<dim> &face : *faces)
           face = face.moved([&](const Point<dim> &x) { return pair.image.of(x); });
+    const auto shift = [&](const Configuration<dim> &there, std::vector<FacePatch<dim>> &faces) {
+      const Tensor<1, dim> by =
+        there.motion_of(pair.pretension.body_name(pair.name))[0] * pair.pretension.direction;
+      if (by.norm() > 0)
+        for (FacePatch<dim> &face : faces)
+          face = face.moved([&](const Point<dim> &x) { return x + by; });
+    };
+    shift(configuration, result.patches);
+    if (configuration.start())
+      shift(*configuration.start(), result.start);
     return result;
   }
 
@@ -86,6 +96,27 @@ namespace Signorini
             result.start.push_back(start[i]);
         }
     return result;
+  }
+
+
+
+  // Faces are weighted with their areas, by the normals in their middles.
+  template <int dim>
+  Tensor<1, dim>
+  BoundaryFaces<dim>::mean_normal(const MPI_Comm comm) const
+  {
+    Point<dim - 1> middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    Tensor<1, dim> sum;
+    double         area = 0;
+    for (const FacePatch<dim> &face : rest)
+      {
+        sum += face.jacobian(middle) * face.normal(middle);
+        area += face.jacobian(middle);
+      }
+    area = Utilities::MPI::sum(area, comm);
+    return area > 0 ? Utilities::MPI::sum(sum, comm) / area : sum;
   }
 
 

@@ -32,13 +32,19 @@ namespace Signorini
 
     BoundaryFaces(const Configuration<dim> &configuration, const Choice &choice);
 
-    /// The image of the master of a pair; the cells are those of the master.
+    /// Where the slave of a pair meets its master: the image, shifted by a pretension; the cells
+    /// are those of the master.
     static BoundaryFaces
     of_master(const Configuration<dim> &configuration, const ContactPair<dim> &pair);
 
     /// The faces for which `chosen` is true. @param chosen one flag for each face
     BoundaryFaces
     among(const std::vector<bool> &chosen) const;
+
+    /// The mean of the outward unit normals in the reference configuration, over the faces of all
+    /// ranks; zero if there are none. Collective.
+    dealii::Tensor<1, dim>
+    mean_normal(MPI_Comm comm) const;
 
     /// The size h of the cell behind face i, normal to the face [length].
     double

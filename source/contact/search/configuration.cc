@@ -224,6 +224,34 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// The part of a rigid body in all rigid motions; zero if it does not move.
+    template <int dim>
+    std::array<double, RigidBody<dim>::n_dofs>
+    motion_among(const std::vector<double> &rigid_motion,
+                 const Displacements<dim>  &displacements,
+                 const std::string         &name)
+    {
+      std::array<double, RigidBody<dim>::n_dofs> motion{};
+      if (const auto body = displacements.rigid_body(name);
+          body < displacements.rigid_bodies().size())
+        std::copy_n(rigid_motion.begin() + body * motion.size(), motion.size(), motion.begin());
+      return motion;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::array<double, RigidBody<dim>::n_dofs>
+  Configuration<dim>::motion_of(const std::string &rigid_body) const
+  {
+    return motion_among<dim>(rigid_motion, my_elasticity, rigid_body);
+  }
+
+
+
   template <int dim>
   RigidPose<dim>
   Configuration<dim>::pose(const Obstacle<dim> &obstacle) const
@@ -238,13 +266,9 @@ namespace Signorini
   Configuration<dim>::pose(const Obstacle<dim>       &obstacle,
                            const std::vector<double> &rigid_motion) const
   {
-    // An obstacle that does not move is none of the rigid bodies, and its motion is zero.
-    std::array<double, RigidBody<dim>::n_dofs> motion{};
-    const auto                                &bodies = my_elasticity.rigid_bodies();
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      if (bodies[b].name == obstacle.name)
-        std::copy_n(rigid_motion.begin() + b * motion.size(), motion.size(), motion.begin());
-    return {obstacle.body.reference, motion, my_elasticity.rotation_length_scale()};
+    return {obstacle.body.reference,
+            motion_among<dim>(rigid_motion, my_elasticity, obstacle.name),
+            my_elasticity.rotation_length_scale()};
   }
 
 

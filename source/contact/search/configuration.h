@@ -87,6 +87,11 @@ namespace Signorini
     FacePatch<dim>
     moved(const FacePatch<dim> &rest, const CellIterator<dim> &cell, unsigned int face) const;
 
+    /// The degrees of freedom of a rigid body in this configuration [length]; zero if it does not
+    /// move.
+    std::array<double, RigidBody<dim>::n_dofs>
+    motion_of(const std::string &rigid_body) const;
+
     /// The pose of an obstacle in this configuration.
     RigidPose<dim>
     pose(const Obstacle<dim> &obstacle) const;

@@ -124,7 +124,7 @@ namespace Signorini
   bool
   may_overlap(const Mesh<dim> &mesh, const ContactPair<dim> &pair)
   {
-    return !pair.gap_is_given() && !pair.is_self() && pair.image.is_master() &&
+    return !pair.gap_is_given() && !pair.is_self() && pair.master_is_in_place() &&
            common_depth(extent_of_body(mesh, pair.slave), extent_of_body(mesh, pair.master)) > 0;
   }
 
@@ -140,7 +140,7 @@ namespace Signorini
                      const Obstacle<dim>      *obstacle,
                      const BoundaryFaces<dim> &slave)
   {
-    if (pair.gap_is_given() || pair.is_self() || !pair.image.is_master())
+    if (pair.gap_is_given() || pair.is_self() || !pair.master_is_in_place())
       return 0;
     const Mesh<dim> &mesh    = elasticity.mesh();
     const MPI_Comm   comm    = mesh.communicator();

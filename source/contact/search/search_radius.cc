@@ -40,18 +40,16 @@ namespace Signorini
     // with the largest arm. Rotational unknowns are lengths (multiplied by the length scale), so
     // that the arm is divided by it.
     const std::vector<double> motion = elasticity.rigid_motion(u);
-    for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
-      if (elasticity.rigid_bodies()[b].name == obstacle.name)
-        {
-          const double arm = elasticity.rigid_bodies()[b].arm(elasticity.mesh().extent()) /
-                             elasticity.rotation_length_scale();
-          double     sum   = 0;
-          const auto first = motion.begin() + b * RigidBody<dim>::n_dofs;
-          for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-            sum += (i < dim ? 1 : arm) * std::abs(first[i]);
-          return sum;
-        }
-    return 0;
+    const unsigned int        b      = elasticity.rigid_body(obstacle.name);
+    if (b == elasticity.rigid_bodies().size())
+      return 0;
+    const double arm = elasticity.rigid_bodies()[b].arm(elasticity.mesh().extent()) /
+                       elasticity.rotation_length_scale();
+    double     sum   = 0;
+    const auto first = motion.begin() + b * RigidBody<dim>::n_dofs;
+    for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+      sum += (i < dim ? 1 : arm) * std::abs(first[i]);
+    return sum;
   }
 
 

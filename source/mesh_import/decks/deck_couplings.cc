@@ -135,6 +135,48 @@ namespace Signorini
 
 
 
+  // Data line: the direction of the pretension; none: the normal of the section.
+  void
+  DeckReader::read_pretension()
+  {
+    if (!in.has("SURFACE"))
+      {
+        skip_item("of line elements");
+        return;
+      }
+    Words words;
+    in.next_line(words);
+    model.pretensions.push_back({in.value("SURFACE"), node_of("NODE"), triple(words, 0)});
+  }
+
+
+
+  // FIXED: reference nodes keep their motion from the beginning of the present step.
+  void
+  DeckReader::lock_pretensions()
+  {
+    bool is_left_out = false;
+    for (Words words; in.next_line(words);)
+      for (const unsigned int node : nodes_of(words[0]))
+        {
+          const auto one =
+            std::find_if(model.pretensions.begin(),
+                         model.pretensions.end(),
+                         [&](const auto &section) { return section.reference == node; });
+          if (one == model.pretensions.end())
+            is_left_out = true;
+          else if (!one->lock_time)
+            one->lock_time = model.steps.back().begin;
+        }
+    if (is_left_out)
+      {
+        skip_item("FIXED");
+        model.lacks_supports = true;
+      }
+  }
+
+
+
   // Add a moment about axis d - 3 (d = 4 to 6) to the reference nodes of a target. Returns false if
   // it has other nodes.
   bool

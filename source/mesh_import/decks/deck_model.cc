@@ -250,6 +250,8 @@ namespace Signorini
   {
     return std::any_of(couplings.begin(), couplings.end(), [&](const Coupling &one) {
       return one.reference == node || one.rotation == node;
+    }) || std::any_of(pretensions.begin(), pretensions.end(), [&](const PretensionSection &one) {
+      return one.reference == node;
     });
   }
 

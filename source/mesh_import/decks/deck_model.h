@@ -224,6 +224,18 @@ namespace Signorini
       std::array<bool, 3>         components{{true, true, true}};
     };
 
+    /// A section through a bolt with a pretension. Component 1 of the reference node has the tension
+    /// as force and the shortening as motion.
+    struct PretensionSection
+    {
+      std::string  surface;
+      unsigned int reference;
+      /// The direction that the deck gives; zero: none.
+      std::array<double, 3> direction;
+      /// The time from which the shortening is kept.
+      std::optional<double> lock_time = {};
+    };
+
     /// An initial gap [length] that is prescribed instead of that of the mesh.
     struct Clearance
     {
@@ -271,6 +283,7 @@ namespace Signorini
     std::vector<Pair>                  pairs;
     std::vector<Clearance>             clearances;
     std::vector<Coupling>              couplings;
+    std::vector<PretensionSection>     pretensions;
     /// Position in the file where geometric nonlinearity is first requested; empty: nowhere.
     std::string nlgeom;
 
@@ -295,7 +308,8 @@ namespace Signorini
     History
     history(const Curve &curve, bool is_initial = false) const;
 
-    /// @return whether a node is the reference node of a coupling, or has its rotation.
+    /// @return whether a node is the reference node of a coupling or pretension, or has the rotation
+    /// of a coupling.
     /// @param node its index
     bool
     is_reference(unsigned int node) const;

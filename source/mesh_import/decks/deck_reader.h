@@ -138,6 +138,10 @@ namespace Signorini
     end_coupling();
     void
     read_distributing_coupling();
+    void
+    read_pretension();
+    void
+    lock_pretensions();
     unsigned int
     node_of(const std::string &parameter);
 

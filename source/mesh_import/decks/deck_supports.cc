@@ -54,6 +54,11 @@ namespace Signorini
         remove_old(curve);
     // The values of these supports are not in the deck: they are the displacements reached before,
     // or come from a user routine or another computation.
+    if (in.has("FIXED") && in_step)
+      {
+        lock_pretensions();
+        return;
+      }
     for (const std::string type : {"FIXED", "USER", "SUBMODEL"})
       if (in.has(type))
         {

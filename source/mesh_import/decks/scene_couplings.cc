@@ -11,6 +11,8 @@
 
 namespace Signorini
 {
+  using namespace dealii;
+
   /// @return the axis along which alone a plane surface that is normal to it follows its reference
   /// node, and slides otherwise; nothing, if the coupling is another one.
   std::optional<unsigned int>
@@ -22,7 +24,7 @@ namespace Signorini
     const unsigned int axis =
       std::find(one.components.begin(), one.components.end(), true) - one.components.begin();
     const std::vector<unsigned int>      nodes     = model.nodes_of(one);
-    const std::vector<dealii::Point<3>> &all_nodes = model.deck.mesh.nodes;
+    const std::vector<Point<3>> &all_nodes = model.deck.mesh.nodes;
     double least = std::numeric_limits<double>::max(), most = -least, size = 0;
     for (const unsigned int node : nodes)
       {
@@ -223,10 +225,78 @@ namespace Signorini
                                     {"Master", item.name},
                                     {axis ? "Separation" : "Law", axis ? "none" : "tied"}}});
       }
+    write_pretensions();
     // What acts at the reference nodes of other couplings is reported as left out.
     model.couplings = imported;
     forget_reference_nodes();
     return section("Obstacles", items);
+  }
+
+
+
+  /// @return the sum of the normals of the faces of a surface, of either sign.
+  Tensor<1, 3>
+  SceneWriter::normal_of(const std::string &surface) const
+  {
+    Tensor<1, 3> sum;
+    for (const auto &group : model.deck.mesh.groups)
+      if (upper_case(group.name) == upper_case(surface))
+        for (const auto &face : group.faces)
+          {
+            const auto         x  = [&](const unsigned int i) { return model.deck.mesh.nodes[face[i]]; };
+            const Tensor<1, 3> e  = x(1) - x(0);
+            const auto         one = face.size() == 2 ? Tensor<1, 3>({-e[1], e[0], 0}) :
+                                                        cross_product_3d(e, x(2) - x(0));
+            sum += (one * sum < 0 ? -1. : 1.) * one;
+          }
+    return sum;
+  }
+
+
+
+  // The two sides of each section, along which the mesh was cut, are tied. What cannot be imported
+  // is taken from the list, so that what acts at its reference node is reported.
+  void
+  SceneWriter::write_pretensions()
+  {
+    std::vector<DeckModel::PretensionSection> imported;
+    for (const DeckModel::PretensionSection &one : model.pretensions)
+      {
+        const std::string what   = "a pretension",
+                          slave  = surfaces(one.surface, what),
+                          master = surfaces(other_side_of(one.surface), what);
+        if (slave.empty() || master.empty() || split(slave, ',').size() > 1 ||
+            split(master, ',').size() > 1)
+          {
+            model.skip_item("*PRE-TENSION SECTION of '" + one.surface +
+                              "', whose sides are not one body each",
+                            "",
+                            "support");
+            model.lacks_supports = true;
+            continue;
+          }
+        const Tensor<1, 3> normal = normal_of(one.surface),
+                           given({one.direction[0], one.direction[1], one.direction[2]});
+        if (std::abs(normal * given) < 0.999 * normal.norm() * given.norm())
+          model.skip_item("*PRE-TENSION SECTION in another direction than the normal of '" +
+                            one.surface + "', along which it acts",
+                          "",
+                          "load");
+        imported.push_back(one);
+        const std::string shortening = component_at(model.supports, one.reference, 0, "", 1);
+        SceneItem         item{"pretension of " + as_name(one.surface),
+                               {{"Slave", slave}, {"Master", master}, {"Law", "tied"}}};
+        if (shortening.empty())
+          item.keys.emplace_back(
+            "Pretension",
+            component_at(model.forces, one.reference, 0, "0", 1 / thickness_at(*model.faces_of(one.surface).begin())));
+        else
+          item.keys.emplace_back("Shortening", shortening);
+        if (one.lock_time && shortening.empty())
+          item.keys.emplace_back("Lock time", text_of_time(*one.lock_time));
+        coupled_pairs.push_back(item);
+      }
+    model.pretensions = imported;
   }
 
 

@@ -119,6 +119,10 @@ namespace Signorini
                  const std::string           &otherwise,
                  double                       factor);
     void
+    write_pretensions();
+    dealii::Tensor<1, 3>
+    normal_of(const std::string &surface) const;
+    void
     forget_reference_nodes();
     std::string
     pairs();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/formats/abaqus_reader.h"
+
+#include "mesh_import/cut_mesh.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/numbers.h>
@@ -21,6 +23,7 @@ namespace Signorini
     {"SURFACE", &AbaqusReader::read_surface},
     {"DLOAD", &AbaqusReader::read_element_loads},
     {"CONTACT PAIR", &AbaqusReader::read_adjustments},
+    {"PRE-TENSION SECTION", &AbaqusReader::read_section_of_bolt},
     {"SYSTEM", &AbaqusReader::read_system},
     {"PART", &AbaqusReader::begin_part},
     {"END PART", &AbaqusReader::end_scope},
@@ -66,6 +69,8 @@ namespace Signorini
     make_groups();
     for (const Adjustment &one : adjustments)
       adjust(one);
+    for (const std::string &section : sections_of_bolts)
+      cut(section);
     note_of_other_elements();
     whole.mesh->notes.assign(notes.begin(), notes.end());
     whole.mesh->numbers = whole.nodes.all_numbers();
@@ -73,6 +78,52 @@ namespace Signorini
     deck.nodes          = std::move(whole.nodes);
     deck.elements       = std::move(whole.elements);
     return std::move(deck);
+  }
+
+
+
+  void
+  AbaqusReader::read_section_of_bolt()
+  {
+    if (in.has("SURFACE"))
+      sections_of_bolts.push_back(in.value("SURFACE"));
+  }
+
+
+
+  // The nodes on both sides of a section are different ones. The copies have the next free numbers,
+  // and are in the sets of the nodes that they were made of.
+  void
+  AbaqusReader::cut(const std::string &section)
+  {
+    std::map<unsigned int, unsigned int> copies;
+    try
+      {
+        copies = cut_mesh(*whole.mesh, section, other_side_of(section));
+      }
+    catch (const SceneError &error)
+      {
+        in.fail(error.what());
+      }
+    std::size_t last = 0;
+    for (const auto &[number, node] : whole.nodes.numbers())
+      last = std::max(last, number);
+    for (const auto &[node, copy] : copies)
+      whole.nodes.insert(++last, copy);
+    std::vector<std::string> names;
+    for (const auto &[name, set] : whole.nodes.all())
+      names.push_back(name);
+    for (const std::string &name : names)
+      {
+        Members      &members = whole.nodes.get(name).members;
+        const Members before  = members;
+        for (const unsigned int node : before)
+          if (const auto copy = copies.find(node); copy != copies.end())
+            members.push_back(copy->second);
+      }
+    notes.insert("the mesh is cut along '" + section +
+                 "', since *PRE-TENSION SECTION names it; its other side is called '" +
+                 other_side_of(section) + "'");
   }
 
 
@@ -243,6 +294,14 @@ namespace Signorini
     for (const auto &[type, n] : others)
       notes.insert(std::to_string(n) + " elements of type " + type +
                    " are no solids: they have no stiffness here");
+  }
+
+
+
+  std::string
+  other_side_of(const std::string &section)
+  {
+    return section + " other side";
   }
 
 

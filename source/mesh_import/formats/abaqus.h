@@ -48,6 +48,11 @@ namespace Signorini
   std::string
   name_of_loaded_faces(unsigned int n, unsigned int k);
 
+  /// @return the name of the other side of a section along which *PRE-TENSION SECTION cuts the mesh.
+  /// @param section name of its surface
+  std::string
+  other_side_of(const std::string &section);
+
   /// @return the mesh of read_abaqus_deck() alone.
   /// @param file_name path of the file
   MeshFile

@@ -123,6 +123,11 @@ namespace Signorini
     void
     adjust(const Adjustment &one);
 
+    void
+    read_section_of_bolt();
+    void
+    cut(const std::string &section);
+
     // Parts and instances
     void
     begin_part();
@@ -174,6 +179,7 @@ namespace Signorini
     /// The coordinate system of *SYSTEM; null: the global one.
     std::unique_ptr<RigidMotion> system;
     std::vector<Adjustment>      adjustments;
+    std::vector<std::string>     sections_of_bolts; ///< names of the surfaces
     std::set<std::string>        notes;
     unsigned int                 n_element_loads = 0;
   };
