@@ -88,7 +88,8 @@ namespace Signorini
     result.displacement = along_first(force.empty() ? shortening : Formula("free"));
     if (!force.empty())
       result.force = along_first(force);
-    result.driven = driven;
+    result.is_shortening = true;
+    result.driven        = driven;
     return result;
   }
 

@@ -86,7 +86,8 @@ namespace Signorini
                                              model_of(scene.model),
                                              rigid_bodies,
                                              scene.newton.stabilisation,
-                                             expansions);
+                                             expansions,
+                                             scene.equations);
   }
 
 

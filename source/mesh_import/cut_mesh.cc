@@ -204,7 +204,8 @@ namespace Signorini
         std::map<Nodes, std::vector<unsigned int>> cells_of_face;
         for (unsigned int i = 0; i < around.size(); ++i)
           for (const Nodes &face : abaqus_faces(file.elements[around[i]], ""))
-            if (const Nodes key = sorted(face); is_cut.count(key) == 0 && touches(face, node, around[i]))
+            if (const Nodes key = sorted(face);
+                is_cut.count(key) == 0 && touches(face, node, around[i]))
               cells_of_face[key].push_back(i);
         std::vector<unsigned int> fan(around.size());
         std::iota(fan.begin(), fan.end(), 0);
@@ -251,8 +252,8 @@ namespace Signorini
       void
       rename_nodes(const unsigned int e)
       {
-        MeshFile::Element        &element = file.elements[e];
-        const std::vector<Nodes>  before  = abaqus_faces(element, "");
+        MeshFile::Element       &element = file.elements[e];
+        const std::vector<Nodes> before  = abaqus_faces(element, "");
         for (unsigned int &node : element.nodes)
           if (std::count(changed[e].begin(), changed[e].end(), node) > 0)
             node = copies[node];
@@ -274,8 +275,8 @@ namespace Signorini
       std::map<unsigned int, unsigned int>              copies;
       /// The nodes of cells of which these get the copies.
       std::map<unsigned int, Nodes> changed;
-      /// Faces, beside those of the surface, of which nodes were replaced: as they are now, by their
-      /// sorted corners before.
+      /// Faces, beside those of the surface, of which nodes were replaced: as they are now, by
+      /// their sorted corners before.
       std::map<Nodes, Nodes> renamed;
     };
   } // namespace

@@ -9,10 +9,10 @@
 namespace Signorini
 {
   /// Cut the cells of a mesh along a plane surface inside of it, such as a section through a bolt.
-  /// The nodes of the surface are doubled, except on its rim where that is inside of the mesh: cells
-  /// on one side keep them, those on the other get the copies, in all groups too. The faces of the
-  /// other side become a group of their own. Throws SceneError if there is no such surface, or if it
-  /// is not about plane or not inside of the mesh.
+  /// The nodes of the surface are doubled, except on its rim where that is inside of the mesh:
+  /// cells on one side keep them, those on the other get the copies, in all groups too. The faces
+  /// of the other side become a group of their own. Throws SceneError if there is no such surface,
+  /// or if it is not about plane or not inside of the mesh.
   /// @param file the mesh
   /// @param surface name of a group with faces, in any case of letters
   /// @param other_side name of the new group

@@ -48,6 +48,7 @@ namespace Signorini
   {
     dofs.distribute_dofs(elements);
     number(fine);
+    find_vertices_of_equations(fine);
     Compatibility::reinit(constraints, owned, relevant);
     Compatibility::reinit(hanging, owned, relevant);
     DoFTools::make_hanging_node_constraints(dofs, hanging);
@@ -75,6 +76,36 @@ namespace Signorini
       owned.add_range(n, n + n_rigid);
   }
 
+  // The vertices of constraint equations, from the ranks that own them: any rank may have a vertex
+  // that depends on them. Collective.
+  template <int dim>
+  void
+  LinearSpace<dim>::find_vertices_of_equations(const Elasticity<dim> &fine)
+  {
+    const ConstrainedNodes<dim> &nodes = fine.nodes_of_equations();
+    if (nodes.empty())
+      return;
+    std::vector<std::pair<types::global_dof_index, types::global_dof_index>> found;
+    for (const auto &cell : fine.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const typename DoFHandler<dim>::active_cell_iterator own(&dofs.get_triangulation(),
+                                                                   cell->level(),
+                                                                   cell->index(),
+                                                                   &dofs);
+          for (const unsigned int v : cell->vertex_indices())
+            if (const auto first = cell->vertex_dof_index(v, 0, cell->active_fe_index());
+                nodes.count(first) > 0)
+              for (unsigned int c = 0; c < dim; ++c)
+                found.emplace_back(cell->vertex_dof_index(v, c, cell->active_fe_index()),
+                                   own->vertex_dof_index(v, c, own->active_fe_index()));
+        }
+    for (const auto &of_rank : Utilities::MPI::all_gather(fine.mesh().communicator(), found))
+      of_equations.insert(of_rank.begin(), of_rank.end());
+    for (const auto &[dof, own] : of_equations)
+      relevant.add_index(own);
+  }
+
   // Vertices are constrained as the nodes of the fine space there. Constraints of other nodes
   // cannot be represented in general, see CoarseConstraintPenalty. Values are zero: a level
   // corrects an error.
@@ -84,7 +115,8 @@ namespace Signorini
   {
     const AffineConstraints<double>                           &of_fine = fine.constraints();
     std::vector<types::global_dof_index>                       indices, fine_indices;
-    std::map<types::global_dof_index, types::global_dof_index> coarse; // of fine ones
+    std::map<types::global_dof_index, types::global_dof_index> coarse =
+      of_equations; // of fine ones
     for (const auto &cell : fine.dof_handler().active_cell_iterators())
       if (!cell->is_artificial())
         {
@@ -360,8 +392,13 @@ namespace Signorini
         Row row;
         rows.add(cell->get_fe(), i, 1., vertices, row);
         for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
-          if (const auto at = std::find(indices.begin(), indices.end(), other); at != indices.end())
+          {
+            const auto at = std::find(indices.begin(), indices.end(), other);
+            // Constraint equations refer to other cells. Only those of vertices are on this level.
+            if (at == indices.end())
+              return;
             rows.add(cell->get_fe(), at - indices.begin(), -weight, vertices, row);
+          }
         // Entries cancel where the space of degree one satisfies the constraint by itself, up to
         // the rounding of their weights.
         const auto is_nothing = [](const auto &entry) { return std::abs(entry.second) < 1e-10; };

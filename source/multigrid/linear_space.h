@@ -4,6 +4,7 @@
 #include "multigrid/prolongation.h"
 #include "solid/elasticity.h"
 
+#include <map>
 #include <memory>
 
 namespace Signorini
@@ -26,12 +27,18 @@ namespace Signorini
     /// Number the degrees of freedom, with those of rigid bodies.
     void
     number(const Elasticity<dim> &fine);
-    /// Constrain vertices by the supports.
+    /// Find the vertices of constraint equations on all ranks. Collective.
+    void
+    find_vertices_of_equations(const Elasticity<dim> &fine);
+    /// Constrain vertices by supports and equations.
     void
     constrain_vertices(const Elasticity<dim> &fine);
     /// Constrain prescribed motions of rigid bodies.
     void
     constrain_rigid_bodies(const Elasticity<dim> &fine);
+
+    /// Degrees of freedom of vertices that equations name, by those of the fine space.
+    std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> of_equations;
   };
 
   /// The prolongation from the space of degree one to that of the bodies. Collective.

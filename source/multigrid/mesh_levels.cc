@@ -210,10 +210,12 @@ namespace Signorini
               line && of_level.has(name) && !constraints.is_constrained(of_level.dof(name, c)))
             {
               constraints.add_line(of_level.dof(name, c));
+              // Vertices to which equations refer may exist on finer levels only.
               for (const auto &[other, weight] : line->entries)
-                constraints.add_entry(of_level.dof(name, c),
-                                      of_level.dof(other - other % dim, other % dim),
-                                      weight);
+                if (of_level.has(other - other % dim))
+                  constraints.add_entry(of_level.dof(name, c),
+                                        of_level.dof(other - other % dim, other % dim),
+                                        weight);
             }
       // Rigid bodies have no cells and are the same on all levels; prescribed components are
       // constrained on each of them.

@@ -25,12 +25,8 @@ namespace Signorini
     Json result                      = Json::object();
     for (unsigned int b = 0; b < e.rigid_bodies().size(); ++b)
       {
-        // The shortening of a bolt is a result of its pair.
-        const std::string &name = e.rigid_bodies()[b].name;
-        if (std::any_of(s.pairs.begin(), s.pairs.end(), [&](const auto &pair) {
-              return pair.pretension.given() && pair.pretension.body_name(pair.name) == name;
-            }))
-          continue;
+        if (e.rigid_bodies()[b].is_shortening)
+          continue; // a result of its pair
         Json                            u, w, f, m;
         typename RigidPose<dim>::Moment moment; // about the reference point, where it is now
         const unsigned int              first = b * Body::n_dofs;
@@ -57,7 +53,10 @@ namespace Signorini
             w.push_back(motion[first + dim + d] / e.rotation_length_scale());
             m.push_back(on_circles ? 0. : 0. - moment[d]);
           }
-        result[name] = {{"displacement", u}, {"rotation", w}, {"force", f}, {"moment", m}};
+        result[e.rigid_bodies()[b].name] = {{"displacement", u},
+                                            {"rotation", w},
+                                            {"force", f},
+                                            {"moment", m}};
       }
     return result;
   }

@@ -165,6 +165,9 @@ namespace Signorini
     section.add_named("Bodies", bodies, "Elastic bodies: a mesh and a material each.");
     section.add_named("Obstacles", obstacles, "Rigid surfaces; they are never meshed.");
     section.add_named("Supports", supports, "Prescribed displacements.");
+    section.add_named("Constraint equations",
+                      equations,
+                      "Linear equations between displacements of nodes.");
     section.add_named("Loads", loads, "Tractions, pressures, body forces.");
     section.add_named("Contact pairs",
                       pairs,

@@ -251,6 +251,11 @@ namespace Signorini
         require("boundary", support.boundaries, boundaries, support.place, sets);
         require_nodes(support.nodes);
       }
+    for (const ConstraintEquations<dim> &set : equations)
+      for (const auto &equation : set.equations)
+        for (const auto &term : equation)
+          if (!is_node_number(bodies, term.node))
+            require("set of nodes", {term.node}, sets, set.place);
     for (const Load<dim> &load : loads)
       {
         require("boundary", load.boundaries, boundaries, load.place, sets);

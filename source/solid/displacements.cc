@@ -19,15 +19,17 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  Displacements<dim>::Displacements(const Mesh<dim>                   &mesh,
-                                    const std::vector<Support<dim>>   &supports,
-                                    const std::vector<unsigned int>   &degrees,
-                                    const Model                        model,
-                                    const std::vector<RigidBody<dim>> &rigid_bodies)
+  Displacements<dim>::Displacements(const Mesh<dim>                             &mesh,
+                                    const std::vector<Support<dim>>             &supports,
+                                    const std::vector<unsigned int>             &degrees,
+                                    const Model                                  model,
+                                    const std::vector<RigidBody<dim>>           &rigid_bodies,
+                                    const std::vector<ConstraintEquations<dim>> &equations)
     : my_mesh(mesh)
     , my_supports(supports)
     , my_model(model)
     , my_rigid_bodies(rigid_bodies)
+    , equations(equations)
     , dofs(mesh.triangulation())
   {
     Assert(degrees.size() == 1 || degrees.size() == mesh.n_bodies(),
@@ -61,9 +63,20 @@ namespace Signorini
     my_rotation_length_scale = my_mesh.size() / 2;
     number_dofs();
 
-    Compatibility::reinit(hanging, locally_owned, locally_relevant);
-    DoFTools::make_hanging_node_constraints(dofs, hanging);
-    hanging.close();
+    const auto find_hanging_nodes = [&] {
+      Compatibility::reinit(hanging, locally_owned, locally_relevant);
+      DoFTools::make_hanging_node_constraints(dofs, hanging);
+      hanging.close();
+    };
+    find_hanging_nodes();
+    if (!equations.empty())
+      {
+        // The nodes of equations are known on all ranks, since any of them may depend on others.
+        equations.find_nodes(my_mesh, dofs, hanging);
+        for (const auto dof : equations.dofs())
+          locally_relevant.add_index(dof);
+        find_hanging_nodes();
+      }
 
     my_time_of_supports = t;
     constrained         = find_constrained_nodes(my_mesh, dofs, hanging, my_supports, t, my_model);
@@ -167,13 +180,13 @@ namespace Signorini
 
 
 
-  // A constraint with entries couples a component of a node to others of the same node: the support
-  // is not along an axis. Collective.
+  // A constraint with entries couples a component of a node to others: the support is not along an
+  // axis, or there are equations. Collective.
   template <int dim>
   bool
   Displacements<dim>::find_inclined_supports() const
   {
-    bool any = false;
+    bool any = !equations.empty();
     for (const auto &[index, node] : constrained)
       for (const auto dof : node.dofs)
         any |= all_constraints.is_constrained(dof) &&
@@ -242,6 +255,7 @@ namespace Signorini
                 kept_motion[body * RigidBody<dim>::n_dofs + i] :
                 my_rigid_bodies[body].prescribed(i, t, my_rotation_length_scale));
           }
+    equations.add_to(all_constraints, locally_owned, t, my_mesh.communicator());
     all_constraints.close();
   }
 

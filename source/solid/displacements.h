@@ -4,6 +4,7 @@
 #include "linear_algebra/types.h"
 #include "mesh/mesh.h"
 #include "solid/constrained_nodes.h"
+#include "solid/equation_lines.h"
 #include <signorini/solid/model.h>
 #include <signorini/solid/rigid_body.h>
 
@@ -148,8 +149,22 @@ namespace Signorini
       return constrained;
     }
 
-    /// True if supports that are not along the axes constrain degrees of freedom in terms of
-    /// others.
+    /// The constraint equations on this mesh.
+    const EquationLines<dim> &
+    constraint_equations() const
+    {
+      return equations;
+    }
+
+    /// The nodes of constraint equations by their first degree of freedom, the same on all ranks.
+    const ConstrainedNodes<dim> &
+    nodes_of_equations() const
+    {
+      return equations.nodes();
+    }
+
+    /// True if supports that are not along the axes, or constraint equations, constrain degrees of
+    /// freedom in terms of others.
     bool
     has_inclined_supports() const
     {
@@ -242,11 +257,12 @@ namespace Signorini
     // freedom or the same time calls them.
 
     /// @param degrees polynomial degree of the displacement, one a body or one for all
-    Displacements(const Mesh<dim>                   &mesh,
-                  const std::vector<Support<dim>>   &supports,
-                  const std::vector<unsigned int>   &degrees,
-                  Model                              model,
-                  const std::vector<RigidBody<dim>> &rigid_bodies);
+    Displacements(const Mesh<dim>                             &mesh,
+                  const std::vector<Support<dim>>             &supports,
+                  const std::vector<unsigned int>             &degrees,
+                  Model                                        model,
+                  const std::vector<RigidBody<dim>>           &rigid_bodies,
+                  const std::vector<ConstraintEquations<dim>> &equations);
 
     ~Displacements() = default;
 
@@ -277,6 +293,7 @@ namespace Signorini
     const std::vector<Support<dim>>   my_supports;
     const Model                       my_model;
     const std::vector<RigidBody<dim>> my_rigid_bodies; ///< the rigid bodies that can move
+    EquationLines<dim>                equations;
 
     dealii::hp::FECollection<dim>     elements;
     std::vector<unsigned int>         element_of_body;

@@ -43,16 +43,18 @@ namespace Signorini
 
 
   template <int dim>
-  Elasticity<dim>::Elasticity(const Mesh<dim>                          &mesh,
-                              const std::vector<Material>              &materials,
-                              const std::vector<Support<dim>>          &supports,
-                              const std::vector<Load<dim>>             &loads,
-                              const std::vector<unsigned int>          &degrees,
-                              const Model                               model,
-                              const std::vector<RigidBody<dim>>        &rigid_bodies,
-                              const double                              stabilisation,
-                              const std::vector<ThermalExpansion<dim>> &expansions)
-    : Displacements<dim>(mesh, supports, one_per_body(degrees, mesh), model, rigid_bodies)
+  Elasticity<dim>::Elasticity(const Mesh<dim>                             &mesh,
+                              const std::vector<Material>                 &materials,
+                              const std::vector<Support<dim>>             &supports,
+                              const std::vector<Load<dim>>                &loads,
+                              const std::vector<unsigned int>             &degrees,
+                              const Model                                  model,
+                              const std::vector<RigidBody<dim>>           &rigid_bodies,
+                              const double                                 stabilisation,
+                              const std::vector<ThermalExpansion<dim>>    &expansions,
+                              const std::vector<ConstraintEquations<dim>> &equations)
+    : Displacements<dim>(
+        mesh, supports, one_per_body(degrees, mesh), model, rigid_bodies, equations)
     , materials(materials)
     , my_loads(loads)
     , strength(stabilisation)

@@ -35,9 +35,10 @@ namespace Signorini
                const std::vector<Load<dim>>    &loads,
                const std::vector<unsigned int> &degrees,
                Model model = dim == 2 ? Model::plane_strain : Model::solid,
-               const std::vector<RigidBody<dim>>        &rigid_bodies  = {},
-               double                                    stabilisation = default_stabilisation,
-               const std::vector<ThermalExpansion<dim>> &expansions    = {});
+               const std::vector<RigidBody<dim>>           &rigid_bodies  = {},
+               double                                       stabilisation = default_stabilisation,
+               const std::vector<ThermalExpansion<dim>>    &expansions    = {},
+               const std::vector<ConstraintEquations<dim>> &equations     = {});
 
     /// The default stabilisation of unconstrained rigid-body modes, in units of E times the size of
     /// the body. With this value, acting forces move bodies about as far as contact deforms

@@ -53,18 +53,26 @@ namespace Signorini
 
 
 
-  // The point is transformed to reference coordinates of the coarse cell, through all its
-  // ancestors.
+  // The path of an active cell is listed from the coarse cell downwards; it is followed back
+  // upwards.
+  template <int dim>
+  Point<dim>
+  in_coarse_cell(const CellId &cell, const Point<dim> &unit)
+  {
+    const auto children = cell.get_child_indices();
+    Point<dim> x        = unit;
+    for (unsigned int i = children.size(); i-- > 0;)
+      x = GeometryInfo<dim>::child_to_cell_coordinates(x, children[i]);
+    return x;
+  }
+
+
+
   template <int dim>
   bool
   ListedNodes<dim>::contains(const CellId &cell, const Point<dim> &unit)
   {
-    const auto children = cell.get_child_indices();
-    Point<dim> x        = unit;
-    // The path of an active cell is listed from the coarse cell downwards; it is followed back
-    // upwards.
-    for (unsigned int i = children.size(); i-- > 0;)
-      x = GeometryInfo<dim>::child_to_cell_coordinates(x, children[i]);
+    const Point<dim>           x      = in_coarse_cell(cell, unit);
     const std::vector<Listed> &listed = by_cell.at(cell.get_coarse_cell_id());
     for (const Listed &one : listed)
       if (are_same(one.unit, x))

@@ -52,6 +52,12 @@ namespace Signorini
     std::vector<unsigned int> is_there;
   };
 
+  /// A point of an active cell in reference coordinates of its coarse cell. @param unit in those of
+  /// the cell
+  template <int dim>
+  dealii::Point<dim>
+  in_coarse_cell(const dealii::CellId &cell, const dealii::Point<dim> &unit);
+
   /// Transform a point from a coarse cell to one of its descendants. Returns false if the point
   /// belongs to another descendant: each point belongs to exactly one of the cells that touch it.
   /// @param unit in: reference coordinates in the coarse cell; out: those in the cell

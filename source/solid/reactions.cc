@@ -225,7 +225,8 @@ namespace Signorini
                   }
               }
             const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
-              return elasticity.constraints().is_constrained(i);
+              return elasticity.constraints().is_constrained(i) ||
+                     elasticity.nodes_of_equations().count(i) > 0;
             });
             if (loaded)
               add_load(cell, indices, cell_load);
@@ -274,6 +275,19 @@ namespace Signorini
             for (unsigned int d = 0; d < dim; ++d)
               force[d] = residual(node.dofs[d]);
             add_support(node, force);
+          }
+      // What is left at nodes of constraint equations are the forces of these.
+      const auto &supported = elasticity.constrained_nodes();
+      for (const auto &[index, node] : elasticity.nodes_of_equations())
+        if (elasticity.owned().is_element(index))
+          {
+            Tensor<1, dim> force;
+            for (unsigned int d = axisymmetric ? 1 : 0; d < dim; ++d)
+              force[d] = residual(node.dofs[d]);
+            if (const auto of_support = supported.find(index); of_support != supported.end())
+              force = of_support->second.free_part(force);
+            result.bodies[elasticity.mesh().pieces()[node.piece].body] +=
+              resultant_of(place(node.position, node.dofs), force);
           }
     }
 

@@ -157,6 +157,15 @@ namespace Signorini
 
   template <int dim>
   std::string
+  RigidBody<dim>::name_of_motion(const unsigned int i) const
+  {
+    return is_shortening ? name : name + ": " + name_of(i);
+  }
+
+
+
+  template <int dim>
+  std::string
   RigidBody<dim>::name_of(const unsigned int i)
   {
     return i < dim ? "translation " + axes[i] : "rotation about " + axes[dim == 2 ? 2 : i - dim];

@@ -7,7 +7,9 @@
 #include "solid/rigid_body_modes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 
 namespace Signorini
@@ -122,6 +124,52 @@ namespace Signorini
 
 
 
+  // Equations hold the modes of a piece against pieces that cannot move, and against itself. Those
+  // between several pieces that can move are left out: such pieces count as unconstrained.
+  template <int dim>
+  void
+  UnsupportedModes<dim>::add_equations(std::vector<FullMatrix<double>> &gram) const
+  {
+    constexpr unsigned int                 n     = RigidBodyModes<dim>::n;
+    const std::vector<RigidBodyModes<dim>> modes = modes_of_pieces(displacements.mesh());
+    auto                                   rest  = displacements.constraint_equations().terms();
+    std::vector<bool>                      moves;
+    for (const FullMatrix<double> &one : gram)
+      moves.push_back(!kernel_of<dim>(one).empty());
+    for (bool any_added = !rest.empty(); any_added;)
+      {
+        any_added = false;
+        for (auto &equation : rest)
+          {
+            std::set<unsigned int> pieces;
+            for (const auto &term : equation)
+              if (moves[term.node->piece])
+                pieces.insert(term.node->piece);
+            if (pieces.size() != 1)
+              continue;
+            const unsigned int    piece = *pieces.begin();
+            std::array<double, n> along{};
+            double                scale = 0;
+            for (const auto &[node, component, factor] : equation)
+              if (node->piece == piece)
+                {
+                  const auto at = modes[piece].at(node->position, component);
+                  for (unsigned int a = 0; a < n; ++a)
+                    along[a] += factor * at[a];
+                  scale = std::max(scale, std::abs(factor));
+                }
+            for (unsigned int a = 0; a < n; ++a)
+              for (unsigned int b = 0; b < n; ++b)
+                gram[piece](a, b) += along[a] * along[b] / (scale * scale);
+            equation.clear();
+            moves[piece] = !kernel_of<dim>(gram[piece]).empty();
+            any_added    = true;
+          }
+      }
+  }
+
+
+
   // Determine the unconstrained combinations of rigid-body modes of all pieces; the small
   // eigenvalue problems are solved on each rank. Collective.
   template <int dim>
@@ -130,6 +178,7 @@ namespace Signorini
   {
     of_pieces.clear();
     std::vector<FullMatrix<double>> gram = gram_of_constrained_directions();
+    add_equations(gram);
     for (unsigned int piece = 0; piece < gram.size(); ++piece)
       {
         if (displacements.model() == Model::axisymmetric)
@@ -167,7 +216,7 @@ namespace Signorini
                        mode_name<dim>(motion.modes));
     const std::vector<RigidBody<dim>> &bodies = displacements.rigid_bodies();
     for_free_components<dim>(displacements, [&](const unsigned int body, const unsigned int i) {
-      result.push_back(bodies[body].name + ": " + RigidBody<dim>::name_of(i));
+      result.push_back(bodies[body].name_of_motion(i));
     });
     return result;
   }

@@ -63,6 +63,8 @@ namespace Signorini
     /// The Gram matrices of the constrained directions, one for each piece. Collective.
     std::vector<dealii::FullMatrix<double>>
     gram_of_constrained_directions() const;
+    void
+    add_equations(std::vector<dealii::FullMatrix<double>> &gram) const;
     /// Set the motions of the pieces in the first entries of a list.
     void
     set_motions_of_pieces(std::vector<UnconstrainedMode> &result) const;

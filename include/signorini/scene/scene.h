@@ -14,6 +14,7 @@
 #include <signorini/scene/load_steps.h>
 #include <signorini/scene/output_settings.h>
 #include <signorini/solid/boundary_conditions.h>
+#include <signorini/solid/constraint_equations.h>
 #include <signorini/solid/model.h>
 #include <signorini/solid/thermal_expansion.h>
 #include <signorini/solver/linear_solver_settings.h>
@@ -106,12 +107,13 @@ namespace Signorini
     /// The contents of the file.
     RawSection given;
 
-    Definitions                   definitions;
-    std::vector<Body<dim>>        bodies;
-    std::vector<Obstacle<dim>>    obstacles;
-    std::vector<Support<dim>>     supports;
-    std::vector<Load<dim>>        loads;
-    std::vector<ContactPair<dim>> pairs;
+    Definitions                           definitions;
+    std::vector<Body<dim>>                bodies;
+    std::vector<Obstacle<dim>>            obstacles;
+    std::vector<Support<dim>>             supports;
+    std::vector<ConstraintEquations<dim>> equations;
+    std::vector<Load<dim>>                loads;
+    std::vector<ContactPair<dim>>         pairs;
     /// Whether pairs are to be found; then the only pair has their common properties.
     bool              auto_pairs = false;
     MeshSettings<dim> mesh;

@@ -37,6 +37,8 @@ namespace Signorini
     VectorExpression<dim, n_rotations> moment;
     /// The reference point in the reference configuration [length].
     dealii::Point<dim> reference;
+    /// It stands for the shortening of a bolt: its first component, and no translation.
+    bool is_shortening = false;
     /// When free components are driven by their forces; after that they keep their motion.
     TimeSpan driven;
 
@@ -69,6 +71,10 @@ namespace Signorini
     /// The largest distance of a point of the box from the reference point [length].
     double
     arm(const dealii::BoundingBox<dim> &box) const;
+
+    /// The name of the motion by degree of freedom i, as in "punch: translation y".
+    std::string
+    name_of_motion(unsigned int i) const;
 
     /// The name of degree of freedom i, as in "translation y".
     static std::string

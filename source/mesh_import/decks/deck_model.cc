@@ -248,11 +248,14 @@ namespace Signorini
   bool
   DeckModel::is_reference(const unsigned int node) const
   {
-    return std::any_of(couplings.begin(), couplings.end(), [&](const Coupling &one) {
-      return one.reference == node || one.rotation == node;
-    }) || std::any_of(pretensions.begin(), pretensions.end(), [&](const PretensionSection &one) {
-      return one.reference == node;
-    });
+    return std::any_of(couplings.begin(),
+                       couplings.end(),
+                       [&](const Coupling &one) {
+                         return one.reference == node || one.rotation == node;
+                       }) ||
+           std::any_of(pretensions.begin(), pretensions.end(), [&](const PretensionSection &one) {
+             return one.reference == node;
+           });
   }
 
 

@@ -224,8 +224,17 @@ namespace Signorini
       std::array<bool, 3>         components{{true, true, true}};
     };
 
-    /// A section through a bolt with a pretension. Component 1 of the reference node has the tension
-    /// as force and the shortening as motion.
+    /// A factor times a component (0, 1, 2) of the displacement of a node.
+    struct EquationTerm
+    {
+      unsigned int node, component;
+      double       factor;
+    };
+    /// Terms whose sum is zero.
+    using Equation = std::vector<EquationTerm>;
+
+    /// A section through a bolt with a pretension. Component 1 of the reference node has the
+    /// tension as force and the shortening as motion.
     struct PretensionSection
     {
       std::string  surface;
@@ -284,6 +293,7 @@ namespace Signorini
     std::vector<Clearance>             clearances;
     std::vector<Coupling>              couplings;
     std::vector<PretensionSection>     pretensions;
+    std::vector<Equation>              equations;
     /// Position in the file where geometric nonlinearity is first requested; empty: nowhere.
     std::string nlgeom;
 
@@ -308,8 +318,8 @@ namespace Signorini
     History
     history(const Curve &curve, bool is_initial = false) const;
 
-    /// @return whether a node is the reference node of a coupling or pretension, or has the rotation
-    /// of a coupling.
+    /// @return whether a node is the reference node of a coupling or pretension, or has the
+    /// rotation of a coupling.
     /// @param node its index
     bool
     is_reference(unsigned int node) const;

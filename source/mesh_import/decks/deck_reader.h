@@ -139,6 +139,10 @@ namespace Signorini
     void
     read_distributing_coupling();
     void
+    read_equations();
+    void
+    add_equations(const Words &terms);
+    void
     read_pretension();
     void
     lock_pretensions();

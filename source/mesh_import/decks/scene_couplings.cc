@@ -23,8 +23,8 @@ namespace Signorini
       return {};
     const unsigned int axis =
       std::find(one.components.begin(), one.components.end(), true) - one.components.begin();
-    const std::vector<unsigned int>      nodes     = model.nodes_of(one);
-    const std::vector<Point<3>> &all_nodes = model.deck.mesh.nodes;
+    const std::vector<unsigned int> nodes     = model.nodes_of(one);
+    const std::vector<Point<3>>    &all_nodes = model.deck.mesh.nodes;
     double least = std::numeric_limits<double>::max(), most = -least, size = 0;
     for (const unsigned int node : nodes)
       {
@@ -228,7 +228,6 @@ namespace Signorini
     write_pretensions();
     // What acts at the reference nodes of other couplings is reported as left out.
     model.couplings = imported;
-    forget_reference_nodes();
     return section("Obstacles", items);
   }
 
@@ -243,10 +242,10 @@ namespace Signorini
       if (upper_case(group.name) == upper_case(surface))
         for (const auto &face : group.faces)
           {
-            const auto         x  = [&](const unsigned int i) { return model.deck.mesh.nodes[face[i]]; };
-            const Tensor<1, 3> e  = x(1) - x(0);
-            const auto         one = face.size() == 2 ? Tensor<1, 3>({-e[1], e[0], 0}) :
-                                                        cross_product_3d(e, x(2) - x(0));
+            const auto x = [&](const unsigned int i) { return model.deck.mesh.nodes[face[i]]; };
+            const Tensor<1, 3> e = x(1) - x(0);
+            const auto         one =
+              face.size() == 2 ? Tensor<1, 3>({-e[1], e[0], 0}) : cross_product_3d(e, x(2) - x(0));
             sum += (one * sum < 0 ? -1. : 1.) * one;
           }
     return sum;
@@ -262,8 +261,7 @@ namespace Signorini
     std::vector<DeckModel::PretensionSection> imported;
     for (const DeckModel::PretensionSection &one : model.pretensions)
       {
-        const std::string what   = "a pretension",
-                          slave  = surfaces(one.surface, what),
+        const std::string what = "a pretension", slave = surfaces(one.surface, what),
                           master = surfaces(other_side_of(one.surface), what);
         if (slave.empty() || master.empty() || split(slave, ',').size() > 1 ||
             split(master, ',').size() > 1)
@@ -285,11 +283,15 @@ namespace Signorini
         imported.push_back(one);
         const std::string shortening = component_at(model.supports, one.reference, 0, "", 1);
         SceneItem         item{"pretension of " + as_name(one.surface),
-                               {{"Slave", slave}, {"Master", master}, {"Law", "tied"}}};
+                       {{"Slave", slave}, {"Master", master}, {"Law", "tied"}}};
         if (shortening.empty())
-          item.keys.emplace_back(
-            "Pretension",
-            component_at(model.forces, one.reference, 0, "0", 1 / thickness_at(*model.faces_of(one.surface).begin())));
+          item.keys.emplace_back("Pretension",
+                                 component_at(model.forces,
+                                              one.reference,
+                                              0,
+                                              "0",
+                                              1 / thickness_at(
+                                                    *model.faces_of(one.surface).begin())));
         else
           item.keys.emplace_back("Shortening", shortening);
         if (one.lock_time && shortening.empty())
@@ -311,7 +313,8 @@ namespace Signorini
           at.nodes.erase(std::remove_if(at.nodes.begin(),
                                         at.nodes.end(),
                                         [&](const unsigned int node) {
-                                          return model.is_reference(node);
+                                          return model.is_reference(node) ||
+                                                 nodes_of_values.count(node) > 0;
                                         }),
                          at.nodes.end());
         list->erase(std::remove_if(list->begin(),

@@ -236,7 +236,8 @@ namespace Signorini
   {
     // All sections are written before the header, since they add to the list of omissions, and
     // loads and supports add sets to the bodies.
-    const std::string rigid     = obstacles();          // before supports, of which it takes some
+    const std::string rigid = obstacles() + equations();
+    forget_reference_nodes();                           // their supports and forces are in these
     const std::string what_acts = supports() + loads(); // and makes sets of the bodies
     limit_steps_at_kinks();
     skip_paths_of_late_supports();

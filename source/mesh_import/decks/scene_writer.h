@@ -118,6 +118,10 @@ namespace Signorini
                  unsigned int                 component,
                  const std::string           &otherwise,
                  double                       factor);
+    std::string
+    equations();
+    std::vector<std::string>
+    names_of_nodes() const;
     void
     write_pretensions();
     dealii::Tensor<1, 3>
@@ -195,6 +199,8 @@ namespace Signorini
     std::set<double> kinks;
     /// Pairs of rigid couplings, loads of distributing ones.
     std::vector<SceneItem> coupled_pairs, coupled_loads;
+    /// Nodes whose displacements are right-hand sides of equations.
+    std::set<unsigned int> nodes_of_values;
     /// Supports that begin in a later step, with their times.
     std::vector<std::pair<std::string, double>> late_supports;
   };

@@ -48,7 +48,8 @@ namespace Signorini
   std::string
   name_of_loaded_faces(unsigned int n, unsigned int k);
 
-  /// @return the name of the other side of a section along which *PRE-TENSION SECTION cuts the mesh.
+  /// @return the name of the other side of a section along which *PRE-TENSION SECTION cuts the
+  /// mesh.
   /// @param section name of its surface
   std::string
   other_side_of(const std::string &section);

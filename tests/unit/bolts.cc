@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_import/cut_mesh.h"
+#include "mesh_import/decks/import_deck.h"
+#include "mesh_import/formats/abaqus.h"
+#include <signorini/scene/scene.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "mesh_helpers.h"
+
+using namespace dealii;
+using namespace Signorini;
+using namespace MeshTests;
+
+namespace
+{
+  using Nodes = MeshFile::Nodes;
+
+  /// n x m unit squares with nodes by rows.
+  MeshFile
+  squares(const unsigned int n, const unsigned int m)
+  {
+    MeshFile file;
+    for (unsigned int j = 0; j <= m; ++j)
+      for (unsigned int i = 0; i <= n; ++i)
+        file.nodes.emplace_back(i, j, 0);
+    const auto node = [&](const unsigned int i, const unsigned int j) { return j * (n + 1) + i; };
+    for (unsigned int j = 0; j < m; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        file.elements.push_back({MeshFile::Shape::quadrilateral,
+                                 "CPE4",
+                                 file.elements.size() + 1,
+                                 {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}});
+    return file;
+  }
+
+  std::set<unsigned int>
+  nodes_of(const MeshFile &file, const std::vector<unsigned int> &elements)
+  {
+    std::set<unsigned int> result;
+    for (const unsigned int e : elements)
+      result.insert(file.elements[e].nodes.begin(), file.elements[e].nodes.end());
+    return result;
+  }
+
+  bool
+  are_disjoint(const std::set<unsigned int> &a, const std::set<unsigned int> &b)
+  {
+    return std::none_of(a.begin(), a.end(), [&](const unsigned int x) { return b.count(x) > 0; });
+  }
+
+  const MeshFile::Group &
+  group(const MeshFile &file, const std::string &name)
+  {
+    return *std::find_if(file.groups.begin(), file.groups.end(), [&](const auto &one) {
+      return one.name == name;
+    });
+  }
+} // namespace
+
+
+
+TEST_CASE("a mesh that is cut from side to side has two pieces")
+{
+  MeshFile file = squares(2, 2);
+  file.groups.push_back({"Section", {}, {{3, 4}, {4, 5}}, {}});
+  file.groups.push_back({"side", {}, {{2, 5}, {5, 8}}, {2, 5, 8}});
+  const auto copies = cut_mesh(file, "SECTION", "other");
+  CHECK(copies.size() == 3);
+  CHECK(file.nodes.size() == 12);
+  CHECK(are_disjoint(nodes_of(file, {0, 1}), nodes_of(file, {2, 3})));
+  for (const auto &[node, copy] : copies)
+    CHECK(file.nodes[node].distance(file.nodes[copy]) == 0);
+  // Either side has its own nodes in both groups, and each face of the boundary those of its cell.
+  const auto is_of_cells = [&](const Nodes &face) {
+    return std::any_of(file.elements.begin(), file.elements.end(), [&](const auto &element) {
+      return std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
+        return std::count(element.nodes.begin(), element.nodes.end(), node) > 0;
+      });
+    });
+  };
+  CHECK(group(file, "other").faces.size() == 2);
+  for (const char *const name : {"Section", "other", "side"})
+    for (const Nodes &face : group(file, name).faces)
+      CHECK(is_of_cells(face));
+  CHECK(nodes_of(file, {0, 1, 2, 3}).size() == 12);
+  CHECK(group(file, "side").nodes.size() == 4);
+}
+
+
+
+TEST_CASE("a cut that ends inside of a mesh leaves the node at its end")
+{
+  MeshFile file = squares(3, 2);
+  file.groups.push_back({"section", {}, {{4, 5}, {5, 6}}, {}});
+  const auto copies = cut_mesh(file, "section", "other");
+  CHECK(copies.size() == 2);
+  CHECK(copies.count(6) == 0);
+}
+
+
+
+TEST_CASE("surfaces along which a mesh cannot be cut are refused")
+{
+  const auto fails = [](const std::vector<Nodes> &faces, const std::string &why) {
+    MeshFile file = squares(2, 2);
+    file.groups.push_back({"section", {}, faces, {}});
+    CHECK_THROWS_WITH_AS(cut_mesh(file, "section", "other"),
+                         doctest::Contains(why.c_str()),
+                         SceneError);
+  };
+  fails({}, "no surface with faces");
+  fails({{0, 1}}, "not inside of the mesh");
+  fails({{3, 4}, {4, 7}}, "not plane");
+}
+
+
+
+namespace
+{
+  /// Two cubes, one on the other, with a pretension between them.
+  std::string
+  deck(const std::string &section, const std::string &steps)
+  {
+    std::string nodes = "*NODE\n";
+    for (unsigned int k = 0, n = 1; k < 3; ++k)
+      for (unsigned int j = 0; j < 2; ++j)
+        for (unsigned int i = 0; i < 2; ++i, ++n)
+          nodes += std::to_string(n) + ", " + std::to_string(i) + ", " + std::to_string(j) + ", " +
+                   std::to_string(k) + "\n";
+    return nodes +
+           "77, 0.5, 0.5, 1\n*ELEMENT, TYPE=C3D8, ELSET=all\n1, 1, 2, 4, 3, 5, 6, 8, 7\n"
+           "2, 5, 6, 8, 7, 9, 10, 12, 11\n*SURFACE, NAME=middle\n1, S2\n*NSET, NSET=ends\n"
+           "1, 2, 3, 4, 9, 10, 11, 12\n*NSET, NSET=corner\n5\n*MATERIAL, NAME=m\n*ELASTIC\n1000, 0.3\n"
+           "*SOLID SECTION, ELSET=all, MATERIAL=m\n" +
+           section + "*BOUNDARY\nends, 1, 3\n" + steps;
+  }
+
+  std::pair<std::string, std::string>
+  imported(const std::string &file)
+  {
+    std::ostringstream scene, messages;
+    import_deck(file, scene, messages);
+    return {scene.str(), messages.str()};
+  }
+
+  Scene<3>
+  read(const std::string &text)
+  {
+    const TemporaryFile file(text, ".prm");
+    RawSection          raw = read_raw(file.path);
+    Scene<3>            scene;
+    Section             section(raw);
+    scene.declare(section);
+    section.close();
+    scene.read_files("");
+    scene.check();
+    return scene;
+  }
+
+  const std::string tighten = "*STEP\n*STATIC\n1, 1\n*CLOAD\n77, 1, 50\n*END STEP\n",
+                    lock    = "*STEP\n*STATIC\n1, 1\n*BOUNDARY, FIXED\n77, 1, 1\n*END STEP\n",
+                    named   = "*PRE-TENSION SECTION, SURFACE=middle, NODE=77\n";
+} // namespace
+
+
+
+TEST_CASE("import: the pretension of a bolt")
+{
+  const TemporaryFile file(deck(named + "0, 0, 1\n", tighten + lock), ".inp");
+  const auto [text, messages] = imported(file.path);
+  CHECK(messages.empty());
+  const Scene<3> scene = read(text);
+  CHECK(scene.bodies.size() == 2);
+  REQUIRE(scene.pairs.size() == 1);
+  const Pretension<3> &one = scene.pairs[0].pretension;
+  CHECK(scene.pairs[0].is_tied);
+  const RigidBody<3> body = one.body("bolt");
+  CHECK(body.is_free(0));
+  CHECK(body.force.value({}, 0.5)[0] == doctest::Approx(25));
+  CHECK(one.driven.until == 1);
+  // The copy of a node is in the sets of that, with a number of its own.
+  const AbaqusDeck mesh = read_abaqus_deck(file.path);
+  CHECK(mesh.nodes.find("corner")->members.size() == 2);
+  CHECK(mesh.mesh.numbers.at("").size() == 13 + 4);
+}
+
+
+
+TEST_CASE("import: pretensions by a shortening, and those that are left out")
+{
+  const auto with = [](const std::string &section, const std::string &steps) {
+    const TemporaryFile file(deck(section, steps), ".inp");
+    const auto          result = imported(file.path);
+    return std::pair(result, result.second.empty() ? read(result.first) : Scene<3>());
+  };
+  const std::string shorten  = "*STEP\n*STATIC\n1, 1\n*BOUNDARY\n77, 1, 1, 0.01\n*END STEP\n";
+  const auto [result, scene] = with(named, shorten);
+  CHECK(result.second.empty());
+  REQUIRE(scene.pairs.size() == 1);
+  CHECK_FALSE(scene.pairs[0].pretension.body("bolt").is_free(0));
+  CHECK(scene.pairs[0].pretension.body("bolt").displacement.value({}, 0.5)[0] ==
+        doctest::Approx(0.005));
+  CHECK(with(named + "0, 1, 0\n", tighten).first.second.find("in another direction") !=
+        std::string::npos);
+  CHECK(with("*PRE-TENSION SECTION, ELEMENT=4, NODE=77\n", tighten).first.second.find("of line") !=
+        std::string::npos);
+}
+
+
+
+TEST_CASE("import: equations between displacements")
+{
+  const auto with = [](const std::string &equations, const std::string &steps) {
+    const TemporaryFile file(
+      deck("*NODE\n88, 0, 0, 0\n89, 0, 0, 0\n*NSET, NSET=up\n5, 6\n*NSET, NSET=down\n7, 8\n" +
+             equations,
+           steps),
+      ".inp");
+    return imported(file.path);
+  };
+  const std::string load = "*STEP\n*STATIC\n1, 1\n*CLOAD\n5, 1, 1.\n*END STEP\n",
+                    move = "*STEP\n*STATIC\n1, 1\n*BOUNDARY\n88, 1, 1, 0.5\n*END STEP\n";
+  // Terms on several lines, two equations of sets, and one with a right-hand side.
+  const auto [text, messages] =
+    with("*EQUATION\n2\nup, 1, 1.,\ndown, 1, -2.\n2\n5, 2, 3., 88, 1, -1.\n", move);
+  CHECK(messages.empty());
+  const Scene<3> scene = read(text);
+  REQUIRE(scene.equations.size() == 2);
+  REQUIRE(scene.equations[0].equations.size() == 2);
+  const auto &first = scene.equations[0].equations[1];
+  REQUIRE(first.size() == 2);
+  CHECK(first[0].node == scene.bodies[0].name + ".6");
+  CHECK(first[1].node == scene.bodies[0].name + ".8");
+  CHECK(first[1].factor == -2);
+  CHECK(first[1].component == 0);
+  REQUIRE(scene.equations[1].equations[0].size() == 1);
+  CHECK(scene.equations[1].value.value({}, 1) == doctest::Approx(0.5));
+  // A node on no solid that nothing prescribes would be an unknown.
+  CHECK(with("*EQUATION\n2\n5, 2, 3., 89, 1, -1.\n", load).second.find("on no solid and free") !=
+        std::string::npos);
+  CHECK(with("*EQUATION\n2\n5, 4, 3., 6, 4, -1.\n", load).second.find("of rotations") !=
+        std::string::npos);
+}
