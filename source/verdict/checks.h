@@ -119,6 +119,13 @@ namespace Signorini
   CheckResult
   check_undetected_penetration(const Scene<dim> &scene, const Snapshot<dim> &now);
 
+  /// @return the check whether the mesh has nodes between those of constraint equations; none
+  /// without these. Collective.
+  /// @param now the solution
+  template <int dim>
+  std::vector<CheckResult>
+  check_equations(const Snapshot<dim> &now);
+
   /// @return one check for each load that varies within faces: the difference of its integrals by
   /// two quadrature rules. Collective.
   /// @param scene the scene

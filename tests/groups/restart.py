@@ -157,4 +157,5 @@ def cases():
     yield Case("restart", "SIGUSR1/np2", interrupted(signal.SIGUSR1, 2), 2)
     yield Case("restart", "time-limit", time_limit)
     yield Case("restart", "refused", refused)
+    yield Case("restart", "kills/locked", kills("1,2", 2, PRM / "bolted-joint.prm", []), 2, {"full"})
     yield Case("restart", "failed-step", failed_step)

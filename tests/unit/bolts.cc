@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/cut_mesh.h"
-#include "mesh_import/decks/import_deck.h"
 #include "mesh_import/formats/abaqus.h"
-#include <signorini/scene/scene.h>
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
+#include "deck_helpers.h"
 #include "mesh_helpers.h"
 
 using namespace dealii;
 using namespace Signorini;
 using namespace MeshTests;
+using namespace DeckTests;
 
 namespace
 {
-  using Nodes = MeshFile::Nodes;
-
   /// n x m unit squares with nodes by rows.
   MeshFile
   squares(const unsigned int n, const unsigned int m)
@@ -37,7 +34,7 @@ namespace
   }
 
   std::set<unsigned int>
-  nodes_of(const MeshFile &file, const std::vector<unsigned int> &elements)
+  nodes_of_elements(const MeshFile &file, const std::vector<unsigned int> &elements)
   {
     std::set<unsigned int> result;
     for (const unsigned int e : elements)
@@ -49,14 +46,6 @@ namespace
   are_disjoint(const std::set<unsigned int> &a, const std::set<unsigned int> &b)
   {
     return std::none_of(a.begin(), a.end(), [&](const unsigned int x) { return b.count(x) > 0; });
-  }
-
-  const MeshFile::Group &
-  group(const MeshFile &file, const std::string &name)
-  {
-    return *std::find_if(file.groups.begin(), file.groups.end(), [&](const auto &one) {
-      return one.name == name;
-    });
   }
 } // namespace
 
@@ -70,11 +59,11 @@ TEST_CASE("a mesh that is cut from side to side has two pieces")
   const auto copies = cut_mesh(file, "SECTION", "other");
   CHECK(copies.size() == 3);
   CHECK(file.nodes.size() == 12);
-  CHECK(are_disjoint(nodes_of(file, {0, 1}), nodes_of(file, {2, 3})));
+  CHECK(are_disjoint(nodes_of_elements(file, {0, 1}), nodes_of_elements(file, {2, 3})));
   for (const auto &[node, copy] : copies)
     CHECK(file.nodes[node].distance(file.nodes[copy]) == 0);
   // Either side has its own nodes in both groups, and each face of the boundary those of its cell.
-  const auto is_of_cells = [&](const Nodes &face) {
+  const auto is_of_cells = [&](const MeshFile::Nodes &face) {
     return std::any_of(file.elements.begin(), file.elements.end(), [&](const auto &element) {
       return std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
         return std::count(element.nodes.begin(), element.nodes.end(), node) > 0;
@@ -83,9 +72,9 @@ TEST_CASE("a mesh that is cut from side to side has two pieces")
   };
   CHECK(group(file, "other").faces.size() == 2);
   for (const char *const name : {"Section", "other", "side"})
-    for (const Nodes &face : group(file, name).faces)
+    for (const MeshFile::Nodes &face : group(file, name).faces)
       CHECK(is_of_cells(face));
-  CHECK(nodes_of(file, {0, 1, 2, 3}).size() == 12);
+  CHECK(nodes_of_elements(file, {0, 1, 2, 3}).size() == 12);
   CHECK(group(file, "side").nodes.size() == 4);
 }
 
@@ -104,7 +93,7 @@ TEST_CASE("a cut that ends inside of a mesh leaves the node at its end")
 
 TEST_CASE("surfaces along which a mesh cannot be cut are refused")
 {
-  const auto fails = [](const std::vector<Nodes> &faces, const std::string &why) {
+  const auto fails = [](const std::vector<MeshFile::Nodes> &faces, const std::string &why) {
     MeshFile file = squares(2, 2);
     file.groups.push_back({"section", {}, faces, {}});
     CHECK_THROWS_WITH_AS(cut_mesh(file, "section", "other"),
@@ -122,7 +111,7 @@ namespace
 {
   /// Two cubes, one on the other, with a pretension between them.
   std::string
-  deck(const std::string &section, const std::string &steps)
+  bolt_deck(const std::string &section, const std::string &steps)
   {
     std::string nodes = "*NODE\n";
     for (unsigned int k = 0, n = 1; k < 3; ++k)
@@ -138,28 +127,6 @@ namespace
            section + "*BOUNDARY\nends, 1, 3\n" + steps;
   }
 
-  std::pair<std::string, std::string>
-  imported(const std::string &file)
-  {
-    std::ostringstream scene, messages;
-    import_deck(file, scene, messages);
-    return {scene.str(), messages.str()};
-  }
-
-  Scene<3>
-  read(const std::string &text)
-  {
-    const TemporaryFile file(text, ".prm");
-    RawSection          raw = read_raw(file.path);
-    Scene<3>            scene;
-    Section             section(raw);
-    scene.declare(section);
-    section.close();
-    scene.read_files("");
-    scene.check();
-    return scene;
-  }
-
   const std::string tighten = "*STEP\n*STATIC\n1, 1\n*CLOAD\n77, 1, 50\n*END STEP\n",
                     lock    = "*STEP\n*STATIC\n1, 1\n*BOUNDARY, FIXED\n77, 1, 1\n*END STEP\n",
                     named   = "*PRE-TENSION SECTION, SURFACE=middle, NODE=77\n";
@@ -169,10 +136,10 @@ namespace
 
 TEST_CASE("import: the pretension of a bolt")
 {
-  const TemporaryFile file(deck(named + "0, 0, 1\n", tighten + lock), ".inp");
+  const TemporaryFile file(bolt_deck(named + "0, 0, 1\n", tighten + lock), ".inp");
   const auto [text, messages] = imported(file.path);
   CHECK(messages.empty());
-  const Scene<3> scene = read(text);
+  const Scene<3> scene = checked<3>(text);
   CHECK(scene.bodies.size() == 2);
   REQUIRE(scene.pairs.size() == 1);
   const Pretension<3> &one = scene.pairs[0].pretension;
@@ -192,9 +159,9 @@ TEST_CASE("import: the pretension of a bolt")
 TEST_CASE("import: pretensions by a shortening, and those that are left out")
 {
   const auto with = [](const std::string &section, const std::string &steps) {
-    const TemporaryFile file(deck(section, steps), ".inp");
+    const TemporaryFile file(bolt_deck(section, steps), ".inp");
     const auto          result = imported(file.path);
-    return std::pair(result, result.second.empty() ? read(result.first) : Scene<3>());
+    return std::pair(result, result.second.empty() ? checked<3>(result.first) : Scene<3>());
   };
   const std::string shorten  = "*STEP\n*STATIC\n1, 1\n*BOUNDARY\n77, 1, 1, 0.01\n*END STEP\n";
   const auto [result, scene] = with(named, shorten);
@@ -215,9 +182,9 @@ TEST_CASE("import: equations between displacements")
 {
   const auto with = [](const std::string &equations, const std::string &steps) {
     const TemporaryFile file(
-      deck("*NODE\n88, 0, 0, 0\n89, 0, 0, 0\n*NSET, NSET=up\n5, 6\n*NSET, NSET=down\n7, 8\n" +
-             equations,
-           steps),
+      bolt_deck("*NODE\n88, 0, 0, 0\n89, 0, 0, 0\n*NSET, NSET=up\n5, 6\n*NSET, NSET=down\n7, 8\n" +
+                  equations,
+                steps),
       ".inp");
     return imported(file.path);
   };
@@ -227,7 +194,7 @@ TEST_CASE("import: equations between displacements")
   const auto [text, messages] =
     with("*EQUATION\n2\nup, 1, 1.,\ndown, 1, -2.\n2\n5, 2, 3., 88, 1, -1.\n", move);
   CHECK(messages.empty());
-  const Scene<3> scene = read(text);
+  const Scene<3> scene = checked<3>(text);
   REQUIRE(scene.equations.size() == 2);
   REQUIRE(scene.equations[0].equations.size() == 2);
   const auto &first = scene.equations[0].equations[1];
@@ -239,8 +206,19 @@ TEST_CASE("import: equations between displacements")
   REQUIRE(scene.equations[1].equations[0].size() == 1);
   CHECK(scene.equations[1].value.value({}, 1) == doctest::Approx(0.5));
   // A node on no solid that nothing prescribes would be an unknown.
-  CHECK(with("*EQUATION\n2\n5, 2, 3., 89, 1, -1.\n", load).second.find("on no solid and free") !=
-        std::string::npos);
+  CHECK(with("*EQUATION\n2\n5, 2, 3., 89, 1, -1.\n2\n6, 2, 3., 89, 1, -1.\n", load)
+          .second.find("2 lines with nodes that are on no solid and free") != std::string::npos);
+  // It is none where a single equation defines what it does.
+  CHECK(with("*EQUATION\n2\n89, 1, 1., 5, 2, -1.\n", load).second.empty());
+  // Components of nodes with other axes: radial is along y for node 7, at (0, 1), about z.
+  const auto [turned, none] = with(
+    "*NSET, NSET=one\n7\n*TRANSFORM, NSET=one, TYPE=C\n0, 0, 0, 0, 0, 1\n*EQUATION\n2\n7, 1, 1., 5, 1, -1.\n",
+    load);
+  CHECK(none.empty());
+  const auto terms = checked<3>(turned).equations.at(0).equations.at(0);
+  REQUIRE(terms.size() == 2);
+  CHECK(terms[0].component == 1);
+  CHECK(terms[0].factor == doctest::Approx(1));
   CHECK(with("*EQUATION\n2\n5, 4, 3., 6, 4, -1.\n", load).second.find("of rotations") !=
         std::string::npos);
 }

@@ -13,47 +13,16 @@
 #include <sstream>
 #include <tuple>
 
+#include "deck_helpers.h"
 #include "mesh_helpers.h"
 
 using namespace dealii;
 using namespace Signorini;
 using namespace MeshTests;
+using namespace DeckTests;
 
 namespace
 {
-  const MeshFile::Group &
-  group(const MeshFile &file, const std::string &name)
-  {
-    for (const auto &one : file.groups)
-      if (one.name == name)
-        return one;
-    throw SceneError("there is no group " + name);
-  }
-
-  std::pair<std::string, std::string>
-  imported(const std::string &file)
-  {
-    std::ostringstream scene, messages;
-    import_deck(file, scene, messages);
-    return {scene.str(), messages.str()};
-  }
-
-  /// All that is checked before meshes are made.
-  template <int dim>
-  Scene<dim>
-  checked(const std::string &text)
-  {
-    const TemporaryFile file(text, ".prm");
-    RawSection          raw = read_raw(file.path);
-    Scene<dim>          scene;
-    Section             section(raw);
-    scene.declare(section);
-    section.close();
-    scene.read_files("");
-    scene.check();
-    return scene;
-  }
-
   const std::string cube = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n"
                            "6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n*ELEMENT, TYPE=C3D8\n"
                            "1, 1, 2, 3, 4, 5, 6, 7, 8\n";

@@ -70,7 +70,14 @@ namespace Signorini
     if (!coupling.is_surface)
       coupling.nodes = nodes_of(coupling.name);
     coupling.reference = node_of("REF NODE");
-    coupling.is_turned = in.has("ORIENTATION");
+    if (in.has("ORIENTATION"))
+      {
+        // One that is not there, or is defined below, counts as cylindrical: it is reported where
+        // it matters.
+        const auto found = model.orientations.find(upper_case(in.value("ORIENTATION")));
+        coupling.axes =
+          found == model.orientations.end() ? DeckModel::Axes{true, {}, {}} : found->second;
+      }
   }
 
 
@@ -112,8 +119,7 @@ namespace Signorini
     const Members elements = elements_of(in.value("ELSET"));
     if (elements.size() != 1 || model.deck.mesh.elements[elements[0]].nodes.size() != 1)
       {
-        // Nodes of such elements are known only if they are above these.
-        skip_item("whose ELSET is not one element, with one node that is defined above it");
+        skip_item("whose ELSET is not one element with one node");
         model.lacks_supports = true;
         return;
       }

@@ -207,8 +207,6 @@ namespace Signorini
         if (set)
           section.sets.push_back(set->name);
       }
-    if (in.has("ORIENTATION"))
-      skip_item("its ORIENTATION");
     Words words;
     if (in.next_line(words))
       section.thickness = number(words, 0);

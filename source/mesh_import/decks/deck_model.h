@@ -212,8 +212,8 @@ namespace Signorini
       /// Name of the set or surface of the nodes, and the keyword, for messages.
       std::string name, keyword;
       bool        is_surface = false, is_distributing = false;
-      /// Components are those of an *ORIENTATION.
-      bool is_turned = false;
+      /// The *ORIENTATION to which components refer; none: the global axes.
+      std::optional<Axes> axes = {};
       /// Indices of the nodes; none for surfaces.
       std::vector<unsigned int> nodes;
       /// Index of the reference node.
@@ -266,6 +266,8 @@ namespace Signorini
     /// Materials by names in upper case.
     std::map<std::string, Material> materials;
     std::vector<SolidSection>       sections;
+    /// Axes of *ORIENTATION, by names in upper case.
+    std::map<std::string, Axes> orientations;
     /// Axes of *TRANSFORM, and the index of those of each node.
     std::vector<Axes>                    axes;
     std::map<unsigned int, unsigned int> axes_of_nodes;

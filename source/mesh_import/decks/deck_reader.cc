@@ -39,6 +39,7 @@ namespace Signorini
     {"DSLOAD", &DeckReader::read_surface_loads},
     {"TEMPERATURE", &DeckReader::read_temperatures},
     {"TRANSFORM", &DeckReader::read_transform},
+    {"ORIENTATION", &DeckReader::read_orientation},
     {"SURFACE INTERACTION", &DeckReader::begin_interaction},
     {"SURFACE BEHAVIOR", &DeckReader::read_behaviour},
     {"FRICTION", &DeckReader::read_friction},

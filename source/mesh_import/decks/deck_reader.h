@@ -97,6 +97,8 @@ namespace Signorini
     void
     read_transform();
     void
+    read_orientation();
+    void
     read_initial_conditions();
     void
     read_temperatures();

@@ -162,6 +162,27 @@ namespace Signorini
 
 
 
+  // Data line: two vectors (rectangular), or two points of the axis (cylindrical). Materials are
+  // isotropic, so that couplings alone have an orientation. A further line rotates the axes.
+  void
+  DeckReader::read_orientation()
+  {
+    const std::string system = upper_case(in.value("SYSTEM"));
+    Words             words, more;
+    if ((!system.empty() && system != "RECTANGULAR" && system != "CYLINDRICAL") ||
+        !in.next_line(words) || words.size() < 6 || (in.next_line(more) && number(more, 1) != 0))
+      {
+        skip_item("other than by six numbers, rectangular or cylindrical");
+        model.lacks_supports = true;
+        return;
+      }
+    model.orientations[upper_case(in.value("NAME"))] = {system == "CYLINDRICAL",
+                                                        triple(words, 0),
+                                                        triple(words, 3)};
+  }
+
+
+
   /// @return the axes of the first of some nodes; none: the global ones.
   std::optional<unsigned int>
   DeckReader::axes_of(const std::vector<unsigned int> &nodes) const

@@ -5,6 +5,8 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 // Couplings: obstacles that are attached to surfaces, with tied pairs, and resultants.
@@ -19,7 +21,7 @@ namespace Signorini
   SceneWriter::only_axis(const DeckModel::Coupling &one) const
   {
     const auto n = std::count(one.components.begin(), one.components.begin() + dim, true);
-    if (n != 1 || one.is_distributing || one.is_turned || is_finite_strain)
+    if (n != 1 || one.is_distributing || one.axes || is_finite_strain)
       return {};
     const unsigned int axis =
       std::find(one.components.begin(), one.components.end(), true) - one.components.begin();
@@ -156,6 +158,35 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// @return the global components of a vector, formulas, whose components refer to the axes x'
+    /// along the first vector, z' across both, and y' across these.
+    std::vector<std::string>
+    along_global_axes(const std::vector<std::string> &components, const DeckModel::Axes &axes)
+    {
+      const auto vector = [](const std::array<double, 3> &v) {
+        return Tensor<1, 3>({v[0], v[1], v[2]});
+      };
+      Tensor<1, 3> x = vector(axes.first), z = cross_product_3d(x, vector(axes.second));
+      x /= x.norm();
+      z /= z.norm();
+      const std::array<Tensor<1, 3>, 3> local{{x, cross_product_3d(z, x), z}};
+      std::vector<std::string>          result;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          std::vector<std::string> terms;
+          for (unsigned int i = 0; i < 3; ++i)
+            if (components[i] != "0" && std::abs(local[i][d]) > 1e-14)
+              terms.push_back(long_text(local[i][d]) + "*(" + components[i] + ")");
+          result.push_back(terms.empty() ? "0" : join(terms, " + "));
+        }
+      return result;
+    }
+  } // namespace
+
+
+
   // Rigid couplings are obstacles and tied pairs, distributing ones loads.
   std::string
   SceneWriter::obstacles()
@@ -171,13 +202,15 @@ namespace Signorini
         const bool  is_whole =
           axis || std::all_of(held.begin(), held.begin() + dim, [](const bool c) { return c; });
         // All components along turned axes are all components.
-        const bool is_held   = one.is_distributing && at.is_held,
-                   is_turned = one.is_distributing && one.is_turned;
+        const bool is_held = one.is_distributing && at.is_held,
+                   is_turned =
+                     one.is_distributing && one.axes && (dim == 2 || one.axes->is_cylindrical);
         if (!is_whole || is_held || is_turned)
           {
-            model.skip_item(one.keyword + (!is_whole ? " of some components only" :
-                                           is_held   ? " with a support of its reference node" :
-                                                       " with ORIENTATION"),
+            model.skip_item(one.keyword +
+                              (!is_whole ? " of some components only" :
+                               is_held   ? " with a support of its reference node" :
+                                           " with an ORIENTATION that is cylindrical or not known"),
                             "",
                             "support");
             model.lacks_supports = true;
@@ -200,6 +233,9 @@ namespace Signorini
         if (one.is_distributing)
           {
             item.keys.emplace_back("Boundaries", where);
+            if (one.axes)
+              for (auto *list : {&at.force, &at.moment})
+                *list = along_global_axes(*list, *one.axes);
             const bool has_force = add_if_any("Total force", at.force);
             if (add_if_any("Total moment", at.moment) || has_force)
               coupled_loads.push_back(item);

@@ -4,12 +4,15 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <cmath>
 
 // Equations between displacements.
 
 namespace Signorini
 {
+  using namespace dealii;
+
   /// @return "BODY.NUMBER" of each node of a body; empty for others.
   std::vector<std::string>
   SceneWriter::names_of_nodes() const
@@ -22,6 +25,55 @@ namespace Signorini
             result[node] =
               body.name + "." + (instance.empty() ? "" : instance + ".") + std::to_string(number);
     return result;
+  }
+
+
+
+  /// @return the direction of a component of the displacement of a node: along an axis, or along
+  /// those of its *TRANSFORM.
+  Tensor<1, 3>
+  SceneWriter::direction_of(const unsigned int node, const unsigned int component) const
+  {
+    Tensor<1, 3> result;
+    const auto   turned = model.axes_of_nodes.find(node);
+    if (turned == model.axes_of_nodes.end())
+      {
+        result[component] = 1;
+        return result;
+      }
+    const auto &[is_cylindrical, first, second] = model.axes[turned->second];
+    const auto vector                           = [](const std::array<double, 3> &v) {
+      return Tensor<1, 3>({v[0], v[1], v[2]});
+    };
+    // x' is radial or the first vector, z' the axis or across both vectors.
+    Tensor<1, 3> x = vector(first), z = cross_product_3d(x, vector(second));
+    if (is_cylindrical)
+      {
+        z = vector(second) - vector(first);
+        x = model.deck.mesh.nodes[node] - Point<3>(first[0], first[1], first[2]);
+        z /= z.norm();
+        x -= (x * z) * z;
+      }
+    x /= x.norm();
+    z /= z.norm();
+    return component == 0 ? x : component == 2 ? z : cross_product_3d(z, x);
+  }
+
+
+
+  /// True if an equation does nothing but define the displacement of a node that is on no solid:
+  /// there is no force on it, and no other equation with it.
+  bool
+  SceneWriter::defines_only(const DeckModel::Equation     &equation,
+                            const DeckModel::EquationTerm &term) const
+  {
+    const auto is_same = [&](const DeckModel::EquationTerm &other) {
+      return other.node == term.node && other.component == term.component;
+    };
+    return model.forces.count({term.node, term.component}) == 0 &&
+           std::none_of(model.equations.begin(), model.equations.end(), [&](const auto &other) {
+             return &other != &equation && std::any_of(other.begin(), other.end(), is_same);
+           });
   }
 
 
@@ -39,16 +91,21 @@ namespace Signorini
     for (const DeckModel::Equation &equation : model.equations)
       {
         std::vector<std::string> terms, values;
-        bool                     is_known = true;
+        bool                     is_known = true, is_needed = true;
         for (const DeckModel::EquationTerm &term : equation)
           {
-            is_known =
-              is_known && term.component < dim && model.axes_of_nodes.count(term.node) == 0;
-            if (!is_known || term.factor == 0)
+            if (term.factor == 0)
               continue;
             if (!names[term.node].empty())
-              terms.push_back(long_text(term.factor) + " " + names[term.node] + " " +
-                              "xyz"[term.component]);
+              {
+                const Tensor<1, 3> direction = direction_of(term.node, term.component);
+                is_known                     = is_known && std::isfinite(direction.norm()) &&
+                           (dim == 3 || std::abs(direction[2]) < 1e-12);
+                for (unsigned int d = 0; d < dim; ++d)
+                  if (std::abs(direction[d]) > 1e-12)
+                    terms.push_back(long_text(term.factor * direction[d]) + " " + names[term.node] +
+                                    " " + "xyz"[d]);
+              }
             else if (const std::string motion =
                        component_at(model.supports, term.node, term.component, "", -term.factor);
                      !motion.empty())
@@ -57,9 +114,13 @@ namespace Signorini
                 if (motion != "0" && motion != "-0")
                   values.push_back(motion);
               }
-            else
+            else if (!defines_only(equation, term))
               is_known = false;
+            else
+              is_needed = false;
           }
+        if (!is_needed)
+          continue;
         if (!is_known)
           {
             ++n_left;
@@ -78,7 +139,7 @@ namespace Signorini
       {
         model.skip_item("*EQUATION of " + std::to_string(n_left) +
                           (n_left == 1 ? " line" : " lines") +
-                          " with nodes that are on no solid and free, or that have a *TRANSFORM",
+                          " with nodes that are on no solid and free",
                         "",
                         "support");
         model.lacks_supports = true;

@@ -98,7 +98,9 @@ namespace Signorini
     std::set<unsigned int> others;
     for (const auto &section : model.sections)
       for (const unsigned int e : section.elements)
-        if (dimension_of(model.deck.mesh.elements[e].shape) < dim)
+        // The elements of distributing couplings have a section without any meaning.
+        if (const auto &element = model.deck.mesh.elements[e];
+            dimension_of(element.shape) < dim && element.type.compare(0, 5, "DCOUP") != 0)
           others.insert(e);
     std::map<std::string, unsigned int> n;
     for (const unsigned int e : others)

@@ -122,6 +122,10 @@ namespace Signorini
     equations();
     std::vector<std::string>
     names_of_nodes() const;
+    bool
+    defines_only(const DeckModel::Equation &equation, const DeckModel::EquationTerm &term) const;
+    dealii::Tensor<1, 3>
+    direction_of(unsigned int node, unsigned int component) const;
     void
     write_pretensions();
     dealii::Tensor<1, 3>

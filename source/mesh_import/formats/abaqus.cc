@@ -266,6 +266,9 @@ namespace Signorini
       in.fail("element " + std::to_string(numbers[0]) + " is there twice");
     if (set)
       set->members.push_back(elements.size());
+    if (members.size() + 1 < numbers.size())
+      scope->late_elements.push_back(
+        {static_cast<unsigned int>(elements.size()), type, {numbers.begin() + 1, numbers.end()}});
     // An element with too few nodes for its shape is kept as a point, so that its number and its
     // sets stay valid.
     const bool lacks_nodes = members.size() < n_corners(type.shape);

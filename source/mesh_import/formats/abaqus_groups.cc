@@ -84,10 +84,28 @@ namespace Signorini
   void
   AbaqusReader::complete_scope()
   {
+    complete_elements();
     complete_sets();
     for (const LateSurface &late : scope->late_surfaces)
       scope->surfaces.push_back(completed(late));
     scope->late_surfaces.clear();
+  }
+
+
+
+  /// Elements such as those of distributing couplings may have nodes that are defined below them.
+  /// Nodes that do not exist are left out, and those that still may come are tried again.
+  void
+  AbaqusReader::complete_elements()
+  {
+    for (const LateElement &late : scope->late_elements)
+      {
+        MeshFile::Nodes members;
+        for (const std::size_t number : late.nodes)
+          if (const unsigned int node = scope->nodes.index(number); node != AbaqusSets::none)
+            members.push_back(node);
+        scope->mesh->elements[late.index].nodes = reordered(late.type, members);
+      }
   }
 
 

@@ -35,6 +35,14 @@ namespace Signorini
       std::vector<std::string> words;
     };
 
+    /// An element with nodes that are defined below it in the file, or nowhere.
+    struct LateElement
+    {
+      unsigned int             index;
+      AbaqusType               type;
+      std::vector<std::size_t> nodes; ///< their numbers
+    };
+
     /// A surface, whose elements and sets may be defined below it.
     struct LateSurface
     {
@@ -61,6 +69,7 @@ namespace Signorini
       AbaqusSets                   nodes, elements;
       std::vector<MeshFile::Group> surfaces;
 
+      std::vector<LateElement> late_elements;
       std::vector<LateMembers> late_members;
       std::vector<LateSurface> late_surfaces;
 
@@ -103,6 +112,8 @@ namespace Signorini
     /// scope.
     void
     complete_scope();
+    void
+    complete_elements();
     void
     complete_sets();
     MeshFile::Group
