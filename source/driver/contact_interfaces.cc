@@ -4,6 +4,7 @@
 #include "base/solver_failure.h"
 #include "contact/constraints/geometric_stiffness.h"
 #include "contact/constraints/inactive_pairs.h"
+#include "contact/constraints/pressure_functions.h"
 #include "contact/search/boundary_faces.h"
 #include "contact/search/obstacle_path.h"
 #include "contact/search/search_radius.h"
@@ -46,22 +47,38 @@ namespace Signorini
 
 
 
-  // The direction along which a bolt is shortened, of unit length. Collective.
+  // The direction along which a bolt is shortened, of unit length. The sides of its section must be
+  // apart: nodes that belong to both would hold them together. Collective.
   template <int dim>
   void
   ContactInterfaces<dim>::set_direction_of_pretension(ContactPair<dim> &pair) const
   {
-    Point<dim> &direction = pair.pretension.direction;
+    const MPI_Comm       comm      = elasticity.mesh().communicator();
+    Point<dim>          &direction = pair.pretension.direction;
+    const Tensor<1, dim> normal    = BoundaryFaces<dim>(elasticity, pair.slave).mean_normal(comm);
     if (direction.norm() == 0)
       {
-        const BoundaryFaces<dim> slave(elasticity, pair.slave);
-        direction = Point<dim>(slave.mean_normal(elasticity.mesh().communicator()));
+        direction = Point<dim>(normal);
         if (direction.norm() < 0.1)
           throw SceneError(pair.slave_location + ": '" + pair.slave +
                            "' is a section with a pretension, but its normals have all "
                            "directions; set Pretension direction");
       }
     direction /= direction.norm();
+    if (direction * normal <= 0)
+      throw SceneError(pair.slave_location +
+                       ": Pretension direction points into the slave, so that a tension would be a "
+                       "pressure; give it the opposite sign");
+    const auto slave     = nodes_of_boundaries(elasticity, {pair.slave}),
+               master    = nodes_of_boundaries(elasticity, {pair.master});
+    const bool is_shared = std::any_of(slave.begin(), slave.end(), [&](const auto node) {
+      return master.count(node) > 0;
+    });
+    if (Utilities::MPI::max(is_shared ? 1 : 0, comm) > 0)
+      throw SceneError(
+        pair.slave_location + ": '" + pair.slave + "' and '" + pair.master +
+        "' are the sides of a section with a pretension, but have common nodes, which "
+        "hold them together; let the section end at the surface of the body");
     if (elasticity.model() == Model::axisymmetric && std::abs(direction[0]) > 1e-6)
       throw SceneError(
         pair.slave_location +

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/cut_mesh.h"
-
 #include "mesh_import/cells.h"
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/formats/abaqus_elements.h"
 #include "mesh_import/formats/keyword_file.h"
+#include "mesh_import/import_steps.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -45,8 +44,10 @@ namespace Signorini
                   is_upper |= upper.count(e) > 0;
                   is_lower |= lower.count(e) > 0;
                 }
-              // Cells of both sides are connected around the end of the cut inside of the mesh.
-              if (!is_upper || is_lower)
+              // Cells of both sides are connected around an end of the cut inside of the mesh.
+              if (is_upper && is_lower)
+                fail("it ends inside of the mesh; let it end at the surface");
+              if (!is_upper)
                 continue;
               if (copies.insert({node, file.nodes.size()}).second)
                 {
@@ -184,7 +185,7 @@ namespace Signorini
                 {
                   const Tensor<1, 3> n = normal(face);
                   // Plane up to 45 degrees, so that the sides are those of the mean plane.
-                  if (std::abs(n * mean) < 0.7 * n.norm())
+                  if (std::abs(n * mean) < 0.71 * n.norm())
                     fail("it is not plane");
                   const double height =
                     (center(corners_of(file.elements[e])) - center(face)) * mean;

@@ -5,6 +5,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -31,6 +32,18 @@ namespace Signorini
                          unsigned int       dim,
                          const std::string &part,
                          double             distance);
+
+  /// Cut the cells of a mesh along a plane surface inside of it, such as a section through a bolt.
+  /// The nodes of the surface are doubled: cells on one side keep them, those on the other get the
+  /// copies, in all groups too. The faces of the other side become a group of their own. Throws
+  /// SceneError if there is no such surface, or if it is not about plane, not inside of the mesh,
+  /// or ends there.
+  /// @param file the mesh
+  /// @param surface name of a group with faces, in any case of letters
+  /// @param other_side name of the new group
+  /// @return the copy of each node that was doubled
+  std::map<unsigned int, unsigned int>
+  cut_mesh(MeshFile &file, const std::string &surface, const std::string &other_side);
 
   /// Divide triangles into three quadrilaterals, tetrahedra into four and wedges into six
   /// hexahedra, at the middles of their edges and the centres of faces and cells; and likewise,

@@ -254,8 +254,12 @@ namespace Signorini
     for (const ConstraintEquations<dim> &set : equations)
       for (const auto &equation : set.equations)
         for (const auto &term : equation)
-          if (!is_node_number(bodies, term.node))
-            require("set of nodes", {term.node}, sets, set.place);
+          if (!is_node_number(bodies, term.node) &&
+              std::find(sets.begin(), sets.end(), term.node) == sets.end())
+            throw SceneError(
+              set.place + ": there is no node '" + term.node +
+              "'; write BODY.NUMBER, with the number of the node in the mesh file of "
+              "the body");
     for (const Load<dim> &load : loads)
       {
         require("boundary", load.boundaries, boundaries, load.place, sets);

@@ -2,6 +2,7 @@
 #include "solid/displacements.h"
 
 #include "base/compatibility.h"
+#include "solid/equation_lines.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 
@@ -29,7 +30,7 @@ namespace Signorini
     , my_supports(supports)
     , my_model(model)
     , my_rigid_bodies(rigid_bodies)
-    , equations(equations)
+    , equations(std::make_unique<EquationLines<dim>>(equations))
     , dofs(mesh.triangulation())
   {
     Assert(degrees.size() == 1 || degrees.size() == mesh.n_bodies(),
@@ -69,11 +70,11 @@ namespace Signorini
       hanging.close();
     };
     find_hanging_nodes();
-    if (!equations.empty())
+    if (!equations->empty())
       {
         // The nodes of equations are known on all ranks, since any of them may depend on others.
-        equations.find_nodes(my_mesh, dofs, hanging);
-        for (const auto dof : equations.dofs())
+        equations->find_nodes(my_mesh, dofs, hanging);
+        for (const auto dof : equations->dofs())
           locally_relevant.add_index(dof);
         find_hanging_nodes();
       }
@@ -100,6 +101,20 @@ namespace Signorini
            std::all_of(my_rigid_bodies.begin(), my_rigid_bodies.end(), [&](const auto &body) {
              return as_at_t(body.driven);
            });
+  }
+
+
+
+  template <int dim>
+  Displacements<dim>::~Displacements() = default;
+
+
+
+  template <int dim>
+  const ConstrainedNodes<dim> &
+  Displacements<dim>::nodes_of_equations() const
+  {
+    return equations->nodes();
   }
 
 
@@ -186,7 +201,7 @@ namespace Signorini
   bool
   Displacements<dim>::find_inclined_supports() const
   {
-    bool any = !equations.empty();
+    bool any = !equations->empty();
     for (const auto &[index, node] : constrained)
       for (const auto dof : node.dofs)
         any |= all_constraints.is_constrained(dof) &&
@@ -207,7 +222,9 @@ namespace Signorini
       const auto check = [&](const char *key, const auto &formulas) {
         if (!std::isfinite(formulas.value(Point<dim>(), t).norm()))
           throw SceneError(
-            "Obstacles/" + body.name + "/" + key + " = " + shortened(formulas.text()) +
+            (body.is_shortening ?
+               "The " + body.name :
+               "Obstacles/" + body.name + "/" + key + " = " + shortened(formulas.text())) +
             ": is not a finite number at t = " + Utilities::to_string(t) + "; correct the formula");
       };
       check("Displacement", body.displacement);
@@ -255,7 +272,7 @@ namespace Signorini
                 kept_motion[body * RigidBody<dim>::n_dofs + i] :
                 my_rigid_bodies[body].prescribed(i, t, my_rotation_length_scale));
           }
-    equations.add_to(all_constraints, locally_owned, t, my_mesh.communicator());
+    equations->add_to(all_constraints, locally_owned, t, my_mesh.communicator());
     all_constraints.close();
   }
 

@@ -4,7 +4,6 @@
 #include "linear_algebra/types.h"
 #include "mesh/mesh.h"
 #include "solid/constrained_nodes.h"
-#include "solid/equation_lines.h"
 #include <signorini/solid/model.h>
 #include <signorini/solid/rigid_body.h>
 
@@ -13,10 +12,17 @@
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace Signorini
 {
+  template <int dim>
+  struct ConstraintEquations;
+  template <int dim>
+  class EquationLines;
+
   /// The space of displacements on the present mesh: continuous finite elements of one degree for
   /// each body, hanging nodes, the constraints that supports and rigid bodies prescribe at a time,
   /// and vectors of such displacements. Constitutive laws and forces are not part of it.
@@ -153,15 +159,12 @@ namespace Signorini
     const EquationLines<dim> &
     constraint_equations() const
     {
-      return equations;
+      return *equations;
     }
 
     /// The nodes of constraint equations by their first degree of freedom, the same on all ranks.
     const ConstrainedNodes<dim> &
-    nodes_of_equations() const
-    {
-      return equations.nodes();
-    }
+    nodes_of_equations() const;
 
     /// True if supports that are not along the axes, or constraint equations, constrain degrees of
     /// freedom in terms of others.
@@ -264,7 +267,7 @@ namespace Signorini
                   const std::vector<RigidBody<dim>>           &rigid_bodies,
                   const std::vector<ConstraintEquations<dim>> &equations);
 
-    ~Displacements() = default;
+    ~Displacements();
 
     /// Distribute degrees of freedom on the present mesh, find hanging and constrained nodes, and
     /// make the constraints of the supports that act at time t with their values at t. Collective.
@@ -289,11 +292,11 @@ namespace Signorini
       return my_rigid_bodies.size() * RigidBody<dim>::n_dofs;
     }
 
-    const Mesh<dim>                  &my_mesh;
-    const std::vector<Support<dim>>   my_supports;
-    const Model                       my_model;
-    const std::vector<RigidBody<dim>> my_rigid_bodies; ///< the rigid bodies that can move
-    EquationLines<dim>                equations;
+    const Mesh<dim>                          &my_mesh;
+    const std::vector<Support<dim>>           my_supports;
+    const Model                               my_model;
+    const std::vector<RigidBody<dim>>         my_rigid_bodies; ///< the rigid bodies that can move
+    const std::unique_ptr<EquationLines<dim>> equations;
 
     dealii::hp::FECollection<dim>     elements;
     std::vector<unsigned int>         element_of_body;

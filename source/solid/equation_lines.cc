@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/equation_lines.h"
 
-#include "solid/cell_nodes.h"
-#include "solid/node_location.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 
@@ -43,23 +41,6 @@ namespace Signorini
         }
     }
 
-    /// A node of an equation, from the rank that owns it.
-    template <int dim>
-    struct FoundNode
-    {
-      unsigned int        number; ///< of the name
-      std::vector<Index>  dofs;
-      std::vector<double> position;
-      unsigned int        piece;
-
-      template <class Archive>
-      void
-      serialize(Archive &ar, const unsigned int)
-      {
-        ar &number &dofs &position &piece;
-      }
-    };
-
     /// The constraint of a degree of freedom, from the rank that owns it.
     struct OwnedLine
     {
@@ -82,100 +63,6 @@ namespace Signorini
   EquationLines<dim>::EquationLines(const std::vector<ConstraintEquations<dim>> &sets)
     : sets(sets)
   {}
-
-
-
-  // Each node is found by its place in the coarse cells that have it, in one pass over the cells of
-  // this rank, and told to all ranks by its owner.
-  template <int dim>
-  void
-  EquationLines<dim>::find_nodes(const Mesh<dim>                 &mesh,
-                                 const DoFHandler<dim>           &dofs,
-                                 const AffineConstraints<double> &hanging)
-  {
-    my_nodes.clear();
-    first_dofs.clear();
-    if (empty())
-      return;
-    std::map<std::string, unsigned int>                                      numbers;
-    std::vector<std::string>                                                 names, places;
-    std::map<unsigned int, std::vector<std::pair<Point<dim>, unsigned int>>> by_cell;
-    for (const ConstraintEquations<dim> &set : sets)
-      for (const auto &equation : set.equations)
-        for (const auto &term : equation)
-          if (numbers.insert({term.node, names.size()}).second)
-            {
-              const NodeSet<dim> found = mesh.node_set(term.node);
-              if (found.size() != 1)
-                throw SceneError(set.place + ": '" + term.node + "' is not one node, but " +
-                                 std::to_string(found.size()));
-              for (const NodeLocation<dim> &place : found[0])
-                by_cell[place.cell].emplace_back(place.unit, names.size());
-              names.push_back(term.node);
-              places.push_back(set.place);
-            }
-    std::vector<FoundNode<dim>> found;
-    std::vector<bool>           is_found(names.size(), false);
-    std::vector<Index>          indices;
-    CellNodes<dim>              nodes_of(mesh, dofs.get_fe_collection());
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        if (const auto here = by_cell.find(cell->id().get_coarse_cell_id()); here != by_cell.end())
-          {
-            const FiniteElement<dim> &fe = cell->get_fe();
-            read_indices<dim>(cell, indices);
-            for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-              {
-                const Point<dim> unit =
-                  in_coarse_cell(cell->id(), fe.base_element(0).unit_support_point(i));
-                for (const auto &[place, number] : here->second)
-                  if (!is_found[number] && place.distance_square(unit) < 1e-20)
-                    {
-                      FoundNode<dim> node{number, {}, {}, mesh.piece(cell)};
-                      for (unsigned int d = 0; d < dim; ++d)
-                        {
-                          node.dofs.push_back(indices[fe.component_to_system_index(d, i)]);
-                          node.position.push_back(
-                            nodes_of(cell)[fe.component_to_system_index(0, i)][d]);
-                        }
-                      if (!dofs.locally_owned_dofs().is_element(node.dofs[0]) ||
-                          hanging.is_constrained(node.dofs[0]))
-                        continue;
-                      is_found[number] = true;
-                      found.push_back(node);
-                    }
-              }
-          }
-    std::vector<Index> first(names.size(), numbers::invalid_dof_index);
-    for (const auto &of_rank : Utilities::MPI::all_gather(mesh.communicator(), found))
-      for (const FoundNode<dim> &node : of_rank)
-        {
-          ConstrainedNode<dim> one;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              one.dofs[d]     = node.dofs[d];
-              one.position[d] = node.position[d];
-            }
-          one.piece          = node.piece;
-          first[node.number] = one.dofs[0];
-          my_nodes.emplace(one.dofs[0], one);
-        }
-    for (unsigned int n = 0; n < names.size(); ++n)
-      if (first[n] == numbers::invalid_dof_index)
-        throw SceneError(places[n] + ": '" + names[n] +
-                         "' is no node of the finite-element mesh, or it hangs at a refined "
-                         "neighbour; choose a corner of cells");
-    for (const ConstraintEquations<dim> &set : sets)
-      {
-        first_dofs.emplace_back();
-        for (const auto &equation : set.equations)
-          {
-            first_dofs.back().emplace_back();
-            for (const auto &term : equation)
-              first_dofs.back().back().push_back(first[numbers.at(term.node)]);
-          }
-      }
-  }
 
 
 
@@ -237,9 +124,131 @@ namespace Signorini
 
 
 
-  // Gauss-Jordan elimination: what supports and earlier equations determine is eliminated from each
-  // equation; then it is solved for its largest term, the first of several, and that is eliminated
-  // from the earlier equations. So no line depends on the degree of freedom of another one.
+  namespace
+  {
+    /// Gauss-Jordan elimination of equations sum_k a_k u_k = b, one after the other: what
+    /// constraints and earlier equations determine is eliminated from each; then it is solved for
+    /// its largest term, the first of several, and that is eliminated from the earlier equations.
+    /// So no line depends on the degree of freedom of another one.
+    class Elimination
+    {
+    public:
+      using Terms = std::vector<std::pair<Index, double>>;
+
+      /// @param constraints those that the equations come on top of
+      explicit Elimination(const AffineConstraints<double> &constraints)
+        : constraints(constraints)
+      {}
+
+      /// @return false if the equation contradicts the constraints or earlier equations.
+      bool
+      add_equation(const Terms &terms, const double value)
+      {
+        Line   next{{}, value};
+        double largest = 0, scale = std::abs(value);
+        for (const auto &[dof, factor] : terms)
+          {
+            largest = std::max(largest, std::abs(factor));
+            if (!constraints.is_constrained(dof))
+              {
+                eliminate(factor, dof, next, scale);
+                continue;
+              }
+            const double prescribed = factor * constraints.get_inhomogeneity(dof);
+            next.value -= prescribed;
+            scale = std::max(scale, std::abs(prescribed));
+            for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
+              eliminate(factor * weight, other, next, scale);
+          }
+        next.terms.erase(std::remove_if(next.terms.begin(),
+                                        next.terms.end(),
+                                        [&](const auto &term) {
+                                          return std::abs(term.second) < 1e-10 * largest;
+                                        }),
+                         next.terms.end());
+        if (next.terms.empty()) // it follows from the others, or contradicts them
+          return std::abs(next.value) <= 1e-8 * scale;
+        solve(next);
+        return true;
+      }
+
+      /// Add the lines of all equations.
+      void
+      add_to(AffineConstraints<double> &all) const
+      {
+        for (const auto &[dof, line] : lines)
+          {
+            all.add_line(dof);
+            for (const auto &[other, weight] : line.terms)
+              all.add_entry(dof, other, weight);
+            all.set_inhomogeneity(dof, line.value);
+          }
+      }
+
+    private:
+      /// u = sum of the terms + value; of an equation: sum of the terms = value.
+      struct Line
+      {
+        Terms  terms;
+        double value;
+      };
+
+      /// Add factor times u(dof) to an equation, by the line of that if there is one.
+      void
+      eliminate(const double factor, const Index dof, Line &equation, double &scale) const
+      {
+        const auto line = lines.find(dof);
+        if (line == lines.end())
+          {
+            add(factor, {{dof, 1.}}, equation.terms);
+            return;
+          }
+        add(factor, line->second.terms, equation.terms);
+        equation.value -= factor * line->second.value;
+        scale = std::max(scale, std::abs(factor * line->second.value));
+      }
+
+      /// Make the line of an equation, and eliminate its degree of freedom from the others.
+      void
+      solve(Line &equation)
+      {
+        auto pivot = equation.terms.begin();
+        for (auto term = equation.terms.begin(); term != equation.terms.end(); ++term)
+          if (std::abs(term->second) > (1 + 1e-6) * std::abs(pivot->second))
+            pivot = term;
+        const auto [dof, factor] = *pivot;
+        equation.terms.erase(pivot);
+        Line line{{}, equation.value / factor};
+        add(-1 / factor, equation.terms, line.terms);
+        for (const Index user : users[dof])
+          {
+            Line      &other = lines.at(user);
+            const auto at =
+              std::find_if(other.terms.begin(), other.terms.end(), [dof = dof](const auto &term) {
+                return term.first == dof;
+              });
+            if (at == other.terms.end())
+              continue;
+            const double share = at->second;
+            other.terms.erase(at);
+            add(share, line.terms, other.terms);
+            other.value += share * line.value;
+            for (const auto &term : line.terms)
+              users[term.first].insert(user);
+          }
+        for (const auto &term : line.terms)
+          users[term.first].insert(dof);
+        lines[dof] = line;
+      }
+
+      const AffineConstraints<double> &constraints;
+      std::map<Index, Line>            lines; ///< by their degrees of freedom
+      std::map<Index, std::set<Index>> users; ///< the lines that depend on a degree of freedom
+    };
+  } // namespace
+
+
+
   template <int dim>
   void
   EquationLines<dim>::add_to(AffineConstraints<double> &constraints,
@@ -250,94 +259,32 @@ namespace Signorini
     if (empty())
       return;
     exchange_lines(constraints, owned, comm);
-    std::map<Index, Equation>        lines; // u_dof = sum of the terms + value, by dof
-    std::map<Index, std::set<Index>> uses;  // the lines that depend on a degree of freedom
-    for (unsigned int s = 0; s < sets.size(); ++s)
-      for (unsigned int e = 0; e < sets[s].equations.size(); ++e)
-        {
-          const double value = sets[s].value.value(Point<dim>(), t);
-          if (!std::isfinite(value))
-            throw SceneError("Constraint equations/" + sets[s].name +
-                             "/Value = " + shortened(sets[s].value.formula()) +
-                             ": is not a finite number at t = " + std::to_string(t) +
-                             "; correct the formula");
-          Equation next{{}, value};
-          double   largest = 0, scale = std::abs(value);
-          // A constrained degree of freedom is replaced by what it depends on.
-          const auto add_dof = [&](const double factor, const Index dof) {
-            if (const auto line = lines.find(dof); line != lines.end())
-              {
-                add(factor, line->second.terms, next.terms);
-                next.value -= factor * line->second.value;
-                scale = std::max(scale, std::abs(factor * line->second.value));
-              }
-            else
-              add(factor, {{dof, 1.}}, next.terms);
-          };
-          for (unsigned int k = 0; k < sets[s].equations[e].size(); ++k)
-            {
-              const auto &term = sets[s].equations[e][k];
-              const Index dof  = my_nodes.at(first_dofs[s][e][k]).dofs[term.component];
-              largest          = std::max(largest, std::abs(term.factor));
-              if (!constraints.is_constrained(dof))
-                {
-                  add_dof(term.factor, dof);
-                  continue;
-                }
-              const double prescribed = constraints.get_inhomogeneity(dof);
-              next.value -= term.factor * prescribed;
-              scale = std::max(scale, std::abs(term.factor * prescribed));
-              for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
-                add_dof(term.factor * weight, other);
-            }
-          const auto is_rounding = [&](const auto &term) {
-            return std::abs(term.second) < 1e-10 * largest;
-          };
-          next.terms.erase(std::remove_if(next.terms.begin(), next.terms.end(), is_rounding),
-                           next.terms.end());
-          if (next.terms.empty())
-            {
-              if (std::abs(next.value) > 1e-8 * scale)
-                throw SceneError(sets[s].place + ": equation " + std::to_string(e + 1) +
-                                 " contradicts supports or other equations at t = " +
-                                 std::to_string(t) + "; remove it, or free a component");
-              continue; // it follows from the others
-            }
-          auto pivot = next.terms.begin();
-          for (auto term = next.terms.begin(); term != next.terms.end(); ++term)
-            if (std::abs(term->second) > (1 + 1e-6) * std::abs(pivot->second))
-              pivot = term;
-          const auto [dof, factor] = *pivot;
-          next.terms.erase(pivot);
-          Equation line{{}, next.value / factor};
-          add(-1 / factor, next.terms, line.terms);
-          for (const Index user : uses[dof])
-            {
-              Equation  &other = lines.at(user);
-              const auto at =
-                std::find_if(other.terms.begin(), other.terms.end(), [dof = dof](const auto &term) {
-                  return term.first == dof;
-                });
-              if (at == other.terms.end())
-                continue;
-              const double share = at->second;
-              other.terms.erase(at);
-              add(share, line.terms, other.terms);
-              other.value += share * line.value;
-              for (const auto &term : line.terms)
-                uses[term.first].insert(user);
-            }
-          for (const auto &term : line.terms)
-            uses[term.first].insert(dof);
-          lines[dof] = line;
-        }
-    for (const auto &[dof, line] : lines)
+    Elimination elimination(constraints);
+    // Middles of faces that supports hold follow these.
+    for (const Equation &middle : of_middles)
+      if (!constraints.is_constrained(middle.terms[0].first))
+        elimination.add_equation(middle.terms, middle.value);
+    const auto equations = terms();
+    auto       equation  = equations.begin();
+    for (const ConstraintEquations<dim> &set : sets)
       {
-        constraints.add_line(dof);
-        for (const auto &[other, weight] : line.terms)
-          constraints.add_entry(dof, other, weight);
-        constraints.set_inhomogeneity(dof, line.value);
+        const double value = set.value.value(Point<dim>(), t);
+        if (!std::isfinite(value))
+          throw SceneError(
+            "Constraint equations/" + set.name + "/Value = " + shortened(set.value.formula()) +
+            ": is not a finite number at t = " + std::to_string(t) + "; correct the formula");
+        for (unsigned int e = 0; e < set.equations.size(); ++e, ++equation)
+          {
+            Elimination::Terms by_dof;
+            for (const Term &term : *equation)
+              by_dof.emplace_back(term.node->dofs[term.component], term.factor);
+            if (!elimination.add_equation(by_dof, value))
+              throw SceneError(set.place + ": equation " + std::to_string(e + 1) +
+                               " contradicts supports or other equations at t = " +
+                               std::to_string(t) + "; remove it, or free a component");
+          }
       }
+    elimination.add_to(constraints);
   }
 
 

@@ -27,8 +27,10 @@ namespace Signorini
       return sets.empty();
     }
 
-    /// Find the nodes of the equations. Throws SceneError on all ranks where one does not exist, or
-    /// hangs. Collective.
+    /// Find the nodes of the equations. In cells of degree two the middles of faces, which mesh
+    /// files do not have, follow the others as in elements of 20 nodes, where all of these are in
+    /// equations: then the equations hold on the whole face. Throws SceneError on all ranks where
+    /// one does not exist, or hangs. Collective.
     void
     find_nodes(const Mesh<dim>                         &mesh,
                const dealii::DoFHandler<dim>           &dofs,
@@ -77,6 +79,12 @@ namespace Signorini
     };
 
     void
+    add_node(const std::vector<dealii::types::global_dof_index> &dofs,
+             const std::vector<double>                          &position,
+             unsigned int                                        piece);
+    void
+    find_middles_of_faces(const Mesh<dim> &mesh, const dealii::DoFHandler<dim> &dofs);
+    void
     exchange_lines(dealii::AffineConstraints<double> &constraints,
                    const dealii::IndexSet            &owned,
                    MPI_Comm                           comm) const;
@@ -85,5 +93,7 @@ namespace Signorini
     /// For each set and equation the first degrees of freedom of the nodes of its terms.
     std::vector<std::vector<std::vector<dealii::types::global_dof_index>>> first_dofs;
     ConstrainedNodes<dim>                                                  my_nodes;
+    /// The equations of middles of faces, the first term of each.
+    std::vector<Equation> of_middles;
   };
 } // namespace Signorini

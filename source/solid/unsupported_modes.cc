@@ -4,6 +4,7 @@
 #include "geometry/cell_size.h"
 #include "linear_algebra/dense.h"
 #include "solid/cell_nodes.h"
+#include "solid/equation_lines.h"
 #include "solid/rigid_body_modes.h"
 
 #include <algorithm>

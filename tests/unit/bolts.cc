@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/cut_mesh.h"
 #include "mesh_import/formats/abaqus.h"
+#include "mesh_import/import_steps.h"
 
 #include <algorithm>
 #include <set>
@@ -80,17 +80,6 @@ TEST_CASE("a mesh that is cut from side to side has two pieces")
 
 
 
-TEST_CASE("a cut that ends inside of a mesh leaves the node at its end")
-{
-  MeshFile file = squares(3, 2);
-  file.groups.push_back({"section", {}, {{4, 5}, {5, 6}}, {}});
-  const auto copies = cut_mesh(file, "section", "other");
-  CHECK(copies.size() == 2);
-  CHECK(copies.count(6) == 0);
-}
-
-
-
 TEST_CASE("surfaces along which a mesh cannot be cut are refused")
 {
   const auto fails = [](const std::vector<MeshFile::Nodes> &faces, const std::string &why) {
@@ -103,6 +92,7 @@ TEST_CASE("surfaces along which a mesh cannot be cut are refused")
   fails({}, "no surface with faces");
   fails({{0, 1}}, "not inside of the mesh");
   fails({{3, 4}, {4, 7}}, "not plane");
+  fails({{3, 4}}, "ends inside");
 }
 
 
@@ -181,19 +171,22 @@ TEST_CASE("import: pretensions by a shortening, and those that are left out")
 TEST_CASE("import: equations between displacements")
 {
   const auto with = [](const std::string &equations, const std::string &steps) {
-    const TemporaryFile file(
-      bolt_deck("*NODE\n88, 0, 0, 0\n89, 0, 0, 0\n*NSET, NSET=up\n5, 6\n*NSET, NSET=down\n7, 8\n" +
-                  equations,
-                steps),
-      ".inp");
-    return imported(file.path);
+    return bolt_deck(
+      "*NODE\n88, 0, 0, 0\n89, 0, 0, 0\n*NSET, NSET=up\n5, 6\n*NSET, NSET=down\n7, 8\n" + equations,
+      steps);
+  };
+  const auto messages = [&](const std::string &equations, const std::string &steps) {
+    const TemporaryFile file(with(equations, steps), ".inp");
+    return imported(file.path).second;
   };
   const std::string load = "*STEP\n*STATIC\n1, 1\n*CLOAD\n5, 1, 1.\n*END STEP\n",
                     move = "*STEP\n*STATIC\n1, 1\n*BOUNDARY\n88, 1, 1, 0.5\n*END STEP\n";
   // Terms on several lines, two equations of sets, and one with a right-hand side.
-  const auto [text, messages] =
-    with("*EQUATION\n2\nup, 1, 1.,\ndown, 1, -2.\n2\n5, 2, 3., 88, 1, -1.\n", move);
-  CHECK(messages.empty());
+  const TemporaryFile file(with("*EQUATION\n2\nup, 1, 1.,\ndown, 1, -2.\n2\n5, 2, 3., 88, 1, -1.\n",
+                                move),
+                           ".inp");
+  const auto [text, none] = imported(file.path);
+  CHECK(none.empty());
   const Scene<3> scene = checked<3>(text);
   REQUIRE(scene.equations.size() == 2);
   REQUIRE(scene.equations[0].equations.size() == 2);
@@ -206,19 +199,22 @@ TEST_CASE("import: equations between displacements")
   REQUIRE(scene.equations[1].equations[0].size() == 1);
   CHECK(scene.equations[1].value.value({}, 1) == doctest::Approx(0.5));
   // A node on no solid that nothing prescribes would be an unknown.
-  CHECK(with("*EQUATION\n2\n5, 2, 3., 89, 1, -1.\n2\n6, 2, 3., 89, 1, -1.\n", load)
-          .second.find("2 lines with nodes that are on no solid and free") != std::string::npos);
+  CHECK(messages("*EQUATION\n2\n5, 2, 3., 89, 1, -1.\n2\n6, 2, 3., 89, 1, -1.\n", load)
+          .find("2 lines with nodes that are on no solid and free") != std::string::npos);
   // It is none where a single equation defines what it does.
-  CHECK(with("*EQUATION\n2\n89, 1, 1., 5, 2, -1.\n", load).second.empty());
+  CHECK(messages("*EQUATION\n2\n89, 1, 1., 5, 2, -1.\n", load).empty());
+  CHECK(messages("*EQUATION\n2\n5, 4, 3., 6, 4, -1.\n", load).find("of rotations") !=
+        std::string::npos);
   // Components of nodes with other axes: radial is along y for node 7, at (0, 1), about z.
-  const auto [turned, none] = with(
-    "*NSET, NSET=one\n7\n*TRANSFORM, NSET=one, TYPE=C\n0, 0, 0, 0, 0, 1\n*EQUATION\n2\n7, 1, 1., 5, 1, -1.\n",
-    load);
-  CHECK(none.empty());
-  const auto terms = checked<3>(turned).equations.at(0).equations.at(0);
+  const TemporaryFile turned(
+    with(
+      "*NSET, NSET=one\n7\n*TRANSFORM, NSET=one, TYPE=C\n0, 0, 0, 0, 0, 1\n*EQUATION\n2\n7, 1, 1., 5, 1, -1.\n",
+      load),
+    ".inp");
+  const Scene<3> radial = checked<3>(imported(turned.path).first);
+  REQUIRE(radial.equations.size() == 1);
+  const auto &terms = radial.equations[0].equations[0];
   REQUIRE(terms.size() == 2);
   CHECK(terms[0].component == 1);
   CHECK(terms[0].factor == doctest::Approx(1));
-  CHECK(with("*EQUATION\n2\n5, 4, 3., 6, 4, -1.\n", load).second.find("of rotations") !=
-        std::string::npos);
 }

@@ -5,9 +5,51 @@
 #include "linear_algebra/entries.h"
 #include "linear_algebra/row_view.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace Signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// The constraint of a degree of freedom at a node of constraint equations, which all ranks
+    /// know; null where there is none. In vectors the components of a node follow each other.
+    template <int dim>
+    const std::vector<std::pair<types::global_dof_index, double>> *
+    line_at_equations(const Elasticity<dim> &elasticity, const types::global_dof_index dof)
+    {
+      const ConstrainedNodes<dim> &nodes = elasticity.nodes_of_equations();
+      const auto                   next  = nodes.upper_bound(dof);
+      if (next == nodes.begin())
+        return nullptr;
+      const auto &of_node = std::prev(next)->second.dofs;
+      return std::find(of_node.begin(), of_node.end(), dof) == of_node.end() ?
+               nullptr :
+               elasticity.constraints().get_constraint_entries(dof);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  columns_by_equations(const Elasticity<dim>                      &elasticity,
+                       const std::vector<types::global_dof_index> &columns)
+  {
+    std::vector<types::global_dof_index> result;
+    if (!elasticity.nodes_of_equations().empty())
+      for (const auto dof : columns)
+        if (const auto *line = line_at_equations(elasticity, dof))
+          for (const auto &entry : *line)
+            result.push_back(entry.first);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+
 
   template <int dim>
   void
@@ -20,8 +62,9 @@ namespace Signorini
     const auto             &constraints = elasticity.constraints();
     for (const auto &[first, node] : elasticity.constrained_nodes())
       for (unsigned int d = 0; d < dim; ++d)
-        if (const auto line = node.dofs[d];
-            elasticity.owned().is_element(line) && constraints.is_constrained(line))
+        if (const auto line = node.dofs[d]; elasticity.owned().is_element(line) &&
+                                            constraints.is_constrained(line) &&
+                                            !line_at_equations(elasticity, line))
           for (const auto &[other, factor] : *constraints.get_constraint_entries(line))
             {
               AssertThrow(node.dofs[d] == first + d && other >= first && other < first + dim,
@@ -44,16 +87,23 @@ namespace Signorini
         {
           const LA::RowView view(from, row);
           for (int k = 0; k < view.size; ++k)
-            for (unsigned int d = 0; d < dim; ++d)
-              if (const double factor = local[1 + d][view.columns[k]]; factor != 0)
-                {
-                  const auto offset =
-                    static_cast<types::global_dof_index>(local[0][view.columns[k]]);
-                  LA::add_to_entry(to,
-                                   row,
-                                   global[view.columns[k]] - offset + d,
-                                   factor * view.values[k]);
-                }
+            if (const auto *line = line_at_equations(elasticity, global[view.columns[k]]))
+              {
+                for (const auto &[other, factor] : *line)
+                  if (view.values[k] != 0)
+                    LA::add_to_entry(to, row, other, factor * view.values[k]);
+              }
+            else
+              for (unsigned int d = 0; d < dim; ++d)
+                if (const double factor = local[1 + d][view.columns[k]]; factor != 0)
+                  {
+                    const auto offset =
+                      static_cast<types::global_dof_index>(local[0][view.columns[k]]);
+                    LA::add_to_entry(to,
+                                     row,
+                                     global[view.columns[k]] - offset + d,
+                                     factor * view.values[k]);
+                  }
         }
     };
     move(contact.B, contact.B_free);
@@ -65,8 +115,11 @@ namespace Signorini
 
 
 
-  template void
-  add_condensed_columns(const Elasticity<2> &, GapOperator &);
-  template void
-  add_condensed_columns(const Elasticity<3> &, GapOperator &);
+#define INSTANTIATE(dim)                                                                           \
+  template std::vector<types::global_dof_index> columns_by_equations(                              \
+    const Elasticity<dim> &, const std::vector<types::global_dof_index> &);                        \
+  template void add_condensed_columns(const Elasticity<dim> &, GapOperator &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -7,8 +7,16 @@
 
 namespace Signorini
 {
-  /// Supports that are not along the axes tie a component of a node to its others, which move it:
-  /// what its column has in B (and S), theirs get in B_free (and S_free). Collective.
+  /// The degrees of freedom on which those of some columns depend by constraint equations: columns
+  /// that B_free needs in addition.
+  template <int dim>
+  std::vector<dealii::types::global_dof_index>
+  columns_by_equations(const Elasticity<dim>                              &elasticity,
+                       const std::vector<dealii::types::global_dof_index> &columns);
+
+  /// Supports that are not along the axes tie a component of a node to its others, and constraint
+  /// equations to those of other nodes, which move it: what its column has in B (and S), theirs get
+  /// in B_free (and S_free). Collective.
   template <int dim>
   void
   add_condensed_columns(const Elasticity<dim> &elasticity, GapOperator &contact);

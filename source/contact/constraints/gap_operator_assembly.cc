@@ -113,8 +113,14 @@ namespace Signorini
         rows, surfaces, method.sampling(), tangents, elasticity.has_inclined_supports());
       LA::SparsityPattern pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
       for (const FaceMatrix &matrix : matrices)
-        for (const auto row : matrix.rows)
-          pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
+        {
+          const auto others = columns_by_equations(elasticity, matrix.columns);
+          for (const auto row : matrix.rows)
+            {
+              pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
+              pattern.add_entries(row, others.begin(), others.end(), true);
+            }
+        }
       pattern.compress();
       contact.B.reinit(pattern);
       for (const FaceMatrix &matrix : matrices)

@@ -55,6 +55,9 @@ namespace Signorini
           item.keys.push_back(key);
         if (body.is_quadratic)
           item.keys.emplace_back("Degree", "2");
+        // Equations join nodes that coincide.
+        if (!model.equations.empty())
+          item.keys.emplace_back("Coinciding nodes", "keep");
         // Nodes that were moved onto the facets of a master would not be on its surface if that
         // were reconstructed as a curved one.
         if (std::any_of(body.boundaries.begin(),

@@ -220,8 +220,13 @@ namespace Signorini
         if (where.empty())
           continue;
         imported.push_back(one);
-        SceneItem  item{names.make_unique_name("reference of " + as_name(one.name)),
-                       {{"Reference point", join(at.place)}}};
+        // In CalculiX the force of *DISTRIBUTING COUPLING acts at the centre, wherever the
+        // reference node is.
+        const bool is_at_centre =
+          one.keyword == "*DISTRIBUTING COUPLING" && model.deck.instances_of.empty();
+        SceneItem item{names.make_unique_name("reference of " + as_name(one.name)), {}};
+        if (!is_at_centre)
+          item.keys.emplace_back("Reference point", join(at.place));
         const auto add_if_any = [&](const std::string              &key,
                                     const std::vector<std::string> &values) {
           const bool any =
@@ -317,17 +322,23 @@ namespace Signorini
                           "",
                           "load");
         imported.push_back(one);
-        const std::string shortening = component_at(model.supports, one.reference, 0, "", 1);
-        SceneItem         item{"pretension of " + as_name(one.surface),
+        // As in CalculiX, a direction against the outward normal of the surface changes the sign.
+        // The corners of faces are in an order such that the normal here points inwards.
+        const double      sign = model.deck.instances_of.empty() && normal * given > 0 ? -1 : 1;
+        const std::string shortening = component_at(model.supports, one.reference, 0, "", sign);
+        if (!shortening.empty() && model.forces.count({one.reference, 0}) > 0)
+          model.skip_item("*CLOAD of the pretension of '" + one.surface +
+                            "', whose shortening *BOUNDARY prescribes",
+                          "",
+                          "load");
+        SceneItem item{"pretension of " + as_name(one.surface),
                        {{"Slave", slave}, {"Master", master}, {"Law", "tied"}}};
         if (shortening.empty())
-          item.keys.emplace_back("Pretension",
-                                 component_at(model.forces,
-                                              one.reference,
-                                              0,
-                                              "0",
-                                              1 / thickness_at(
-                                                    *model.faces_of(one.surface).begin())));
+          {
+            const double thickness = thickness_at(*model.faces_of(one.surface).begin());
+            item.keys.emplace_back(
+              "Pretension", component_at(model.forces, one.reference, 0, "0", sign / thickness));
+          }
         else
           item.keys.emplace_back("Shortening", shortening);
         if (one.lock_time && shortening.empty())

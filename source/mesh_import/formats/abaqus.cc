@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_import/cut_mesh.h"
 #include "mesh_import/formats/abaqus_reader.h"
+#include "mesh_import/import_steps.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/numbers.h>
