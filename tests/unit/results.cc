@@ -339,7 +339,9 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
   const Solved rough(Two(), with_friction());
   REQUIRE(rough.code == solved);
   const Solved tied(Two(),
-                    replaced(blocks, "subsection joint\n", "subsection joint\nset Law = tied\n"));
+                    replaced(blocks,
+                             "subsection joint\n",
+                             "subsection joint\nset Law = tied\nset Shortening = 0\n"));
   REQUIRE(tied.code == solved);
   const Solved one(Two(), warm), two(Two(), pressed_block<2>()), three(Three(), pressed_block<3>()),
     failed(Two(), hopeless, true);
