@@ -8,6 +8,8 @@ x is the radius, y the axis; the joint of the plates is y = 0. *PRE-TENSION SECT
 
 import sys
 
+from inp import elements_of, lines, surface
+
 UPPER, LOWER = 8, 12  # thickness of the plates
 
 
@@ -36,15 +38,6 @@ class Part:
                     yield number, side + 1
 
 
-def lines(*stations):
-    """Positions from (start), (end, cells), (end, cells), ..."""
-    result = [stations[0]]
-    for end, cells in stations[1:]:
-        start = result[-1]
-        result += [start + (end - start) * k / cells for k in range(1, cells + 1)]
-    return result
-
-
 def main():
     head, nut = UPPER, -LOWER
     middle = (head + nut) / 2
@@ -64,13 +57,9 @@ def main():
     text = "*HEADING\nTwo plates clamped by a bolt, axisymmetric\n*NODE\n"
     for part in (bolt, upper, lower):
         text += "".join(f"{n}, {x:.10g}, {y:.10g}\n" for n, (x, y) in part.nodes.items())
-    for part in (bolt, upper, lower):
-        text += f"*ELEMENT, TYPE=CAX4, ELSET={part.name}\n"
-        text += "".join(f"{e}, " + ", ".join(map(str, nodes)) + "\n" for e, nodes in part.elements.items())
-    for name, part, on in surfaces:
-        text += f"*SURFACE, NAME={name}, TYPE=ELEMENT\n" + "".join(f"{e}, S{side}\n" for e, side in part.faces(on))
-    section = [element for element, side in bolt.faces(lambda x, y: y == middle) if side == 3]
-    text += "*SURFACE, NAME=section, TYPE=ELEMENT\n" + "".join(f"{e}, S3\n" for e in section)
+    text += elements_of((bolt, upper, lower), "CAX4")
+    text += "".join(surface(name, part.faces(on)) for name, part, on in surfaces)
+    text += surface("section", [face for face in bolt.faces(lambda x, y: y == middle) if face[1] == 3])
     text += f"*NODE\n3001, 0, {middle:g}\n*PRE-TENSION SECTION, SURFACE=section, NODE=3001\n0, 1\n"
     with open(sys.argv[1], "w") as file:
         file.write(text)

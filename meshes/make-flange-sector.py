@@ -10,6 +10,8 @@ at either end, and a section in its middle, along which *PRE-TENSION SECTION cut
 import sys
 from math import atan2, cos, hypot, pi, sin
 
+from inp import elements_of, lines, surface
+
 SECTORS = 8
 BORE, PIPE, RIM = 40, 50, 110  # radii of the pipe and the flange
 INNER, CIRCLE, OUTER = 62, 80, 98  # the bolts are on a circle, within a ring of the flange
@@ -24,15 +26,6 @@ def polar(r, angle):
 
 def between(a, b, s):
     return tuple(x + s * (y - x) for x, y in zip(a, b))
-
-
-def lines(*stations):
-    """Positions from start, (end, cells), (end, cells), ..."""
-    result = [stations[0]]
-    for end, cells in stations[1:]:
-        start = result[-1]
-        result += [start + (end - start) * k / cells for k in range(1, cells + 1)]
-    return result
 
 
 def grid(rows):
@@ -130,13 +123,9 @@ def main():
         text += "".join(f"{n}, " + ", ".join(f"{c:.10g}" for c in x) + "\n" for x, n in part.nodes.items())
     reference = 30001
     text += f"{reference}, {CIRCLE}, 0, 0\n"
-    for part in (upper, lower, bolted):
-        text += f"*ELEMENT, TYPE=C3D8, ELSET={part.name}\n"
-        text += "".join(f"{e}, " + ", ".join(map(str, nodes)) + "\n" for e, nodes in part.elements.items())
-    for name, part, on in surfaces:
-        text += f"*SURFACE, NAME={name}, TYPE=ELEMENT\n" + "".join(f"{e}, S{side}\n" for e, side in part.faces(on))
-    below = [(e, side) for e, side in bolted.faces(height(0)) if side == 2]
-    text += "*SURFACE, NAME=section, TYPE=ELEMENT\n" + "".join(f"{e}, S{side}\n" for e, side in below)
+    text += elements_of((upper, lower, bolted), "C3D8")
+    text += "".join(surface(name, part.faces(on)) for name, part, on in surfaces)
+    text += surface("section", [face for face in bolted.faces(height(0)) if face[1] == 2])
     text += f"*PRE-TENSION SECTION, SURFACE=section, NODE={reference}\n0, 0, 1\n"
     with open(sys.argv[1], "w") as file:
         file.write(text)
