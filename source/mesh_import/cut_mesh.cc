@@ -133,15 +133,22 @@ namespace Signorini
               continue;
             for (unsigned int i = 0; i < element.nodes.size(); ++i)
               {
-                const Nodes around = i < n_corners(element.shape) ?
-                                       Nodes{element.nodes[i]} :
-                                       CellShape::of(element.shape).corners_around(i, element);
+                const Nodes around = corners_at(element, i);
                 if (std::all_of(around.begin(), around.end(), [&](const unsigned int node) {
                       return corners.count(node) > 0;
                     }))
                   cells_at[element.nodes[i]].push_back(e);
               }
           }
+      }
+
+      /// Node i of a cell, if it is a corner; else the corners between which it lies.
+      static Nodes
+      corners_at(const MeshFile::Element &element, const unsigned int i)
+      {
+        return i < n_corners(element.shape) ?
+                 Nodes{element.nodes[i]} :
+                 CellShape::of(element.shape).corners_around(i, element);
       }
 
       Point<3>
@@ -232,9 +239,7 @@ namespace Signorini
         const MeshFile::Element &element = file.elements[e];
         const unsigned int       i =
           std::find(element.nodes.begin(), element.nodes.end(), node) - element.nodes.begin();
-        const Nodes around = i < n_corners(element.shape) ?
-                               Nodes{node} :
-                               CellShape::of(element.shape).corners_around(i, element);
+        const Nodes around = corners_at(element, i);
         return std::all_of(around.begin(), around.end(), [&](const unsigned int corner) {
           return std::count(face.begin(), face.end(), corner) > 0;
         });

@@ -52,13 +52,13 @@ namespace Signorini
     if (removes_old("BOUNDARY"))
       for (auto &[where, curve] : model.supports)
         remove_old(curve);
-    // The values of these supports are not in the deck: they are the displacements reached before,
-    // or come from a user routine or another computation.
     if (in.has("FIXED") && in_step)
       {
         lock_pretensions();
         return;
       }
+    // The values of these supports are not in the deck: they are the displacements reached before,
+    // or come from a user routine or another computation.
     for (const std::string type : {"FIXED", "USER", "SUBMODEL"})
       if (in.has(type))
         {
