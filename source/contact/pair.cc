@@ -70,6 +70,7 @@ namespace Signorini
       non_negative);
     image.declare(section);
     pretension.declare(section);
+    strength.declare(section);
     declare_times(section, "the pair");
     section.rename_key("Directions", "Extent directions");
     section.add("Extent directions",
@@ -98,12 +99,17 @@ namespace Signorini
         // Keys with their defaults are accepted: the scene that a run writes has all of them.
         const std::array<std::pair<std::string, bool>, 4> other_than_default = {
           {{"Separation", can_separate && section.is_set("Separation")},
-           {"Friction", !friction.is_zero()},
-           {"Friction limit", std::isfinite(friction.limit)},
+           {"Friction", !friction.is_zero() && !strength.given()},
+           {"Friction limit", std::isfinite(friction.limit) && !strength.given()},
            {"Closure tolerance", closes_below >= 0}}};
         for (const auto &[key, is_other] : other_than_default)
           if (is_other)
-            section.fail(key, "does not apply to tied surfaces; remove it, or set Law = contact");
+            section.fail(key,
+                         "does not apply to tied surfaces" +
+                           std::string(key == "Separation" || key == "Closure tolerance" ?
+                                         "" :
+                                         " whose bond does not fail") +
+                           "; remove it, or set Law = contact");
         can_separate = false;
         if (!section.is_set("Initial gap"))
           initial_gap = "kept";
@@ -116,6 +122,7 @@ namespace Signorini
             "remove it, or set Law = contact");
       }
     pretension.check_keys(section, is_tied);
+    strength.check_keys(section, is_tied, pretension.given());
     // The image of a surface that is exchanged would be that of the other one.
     if (!master_is_in_place())
       sides = SideChoice::as_named;

@@ -138,6 +138,15 @@ namespace Signorini
     void
     check_friction(double t, const InternalFields &internal, const LA::Vector &pressure) const;
 
+    /// See Signorini::set_bonds(). Collective.
+    /// @param intact 1 where the bond of a point is intact, else 0
+    void
+    set_bonds(LA::Vector &intact);
+
+    /// See Signorini::break_bonds(). Collective.
+    bool
+    break_bonds(const PointVectors &traction, LA::Vector &intact);
+
     /// A description of two pairs with active points at the same nodes, which over-constrain them
     /// and may make the system singular; empty if there are none. Collective.
     std::string

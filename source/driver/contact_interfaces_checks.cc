@@ -67,11 +67,20 @@ namespace Signorini
     const Configuration<dim> now(elasticity, u);
     LA::Vector               p(rows->owned, rows->writable, elasticity.mesh().communicator());
     p = pressure;
+    if (scene.contact.chosen().has_strength)
+      {
+        LA::Vector of_contact = pressure;
+        for (const auto i : of_contact.locally_owned_elements())
+          if (status_of(contact->coefficients.least_status(i)) == ContactStatus::stick)
+            of_contact(i) = 0;
+        of_contact.compress(VectorOperation::insert);
+        p = of_contact;
+      }
     GeometryChange largest;
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
-        // With small strain, tied bodies are linear as one body is.
-        if (decisions.pairs[i].is_tied)
+        // With small strain, tied bodies are linear as one body is, where their bond is intact.
+        if (decisions.pairs[i].is_tied && !decisions.pairs[i].strength.given())
           continue;
         // The force of each contact point: its shares of the tractions of the rows.
         std::vector<double> forces;

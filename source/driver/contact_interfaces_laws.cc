@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pairs say of the law at their points: compliance and friction.
+// What pairs say of the law at their points: compliance, friction, and bonds.
+#include "contact/laws/bonds.h"
 #include "driver/contact_interfaces.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
@@ -118,7 +119,30 @@ namespace Signorini
 
 
 
+  template <int dim>
+  void
+  ContactInterfaces<dim>::set_bonds(LA::Vector &intact)
+  {
+    Signorini::set_bonds(decisions.pairs, intact, *contact);
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactInterfaces<dim>::break_bonds(const PointVectors &traction, LA::Vector &intact)
+  {
+    const bool has_broken = Signorini::break_bonds(decisions.pairs, *contact, traction, intact);
+    if (has_broken)
+      set_bonds(intact);
+    return has_broken;
+  }
+
+
+
 #define INSTANTIATE(dim)                                                                           \
+  template void       ContactInterfaces<dim>::set_bonds(LA::Vector &);                             \
+  template bool       ContactInterfaces<dim>::break_bonds(const PointVectors &, LA::Vector &);     \
   template void       ContactInterfaces<dim>::set_compliance();                                    \
   template void       ContactInterfaces<dim>::set_friction(double, const InternalFields &);        \
   template Point<dim> ContactInterfaces<dim>::position_of(types::global_dof_index) const;          \

@@ -233,7 +233,7 @@ namespace Signorini
       }
     try
       {
-        if (solve_from_start(start, t, tolerance))
+        if (solve_from_start(start, t, tolerance) && solve_while_bonds_fail(t, tolerance))
           {
             state.time     = t;
             state.material = elasticity.internal_variables(state.displacement);
@@ -363,6 +363,32 @@ namespace Signorini
       return false;
     return needs_geometry_update(true) ? update_geometry_until_converged(t, tolerance, false) :
                                          true;
+  }
+
+
+
+  // Each solution decides which bonds fail next. Ends since there are finitely many points, and
+  // failed ones stay so. Collective.
+  template <int dim>
+  bool
+  Equilibrium<dim>::solve_while_bonds_fail(const double t, const double tolerance)
+  {
+    while (configuration_solver.break_bonds())
+      {
+        previous_steps       = my_report.steps;
+        const bool is_solved = my_uses_current_geometry ?
+                                 update_geometry_until_converged(t, tolerance, true) :
+                                 solve_fixed_configuration(t, {tolerance}) &&
+                                   (!needs_geometry_update(true) ||
+                                    update_geometry_until_converged(t, tolerance, false));
+        if (!is_solved)
+          {
+            my_report.reason += "; bonds have failed in this load step (Strength), and the bodies "
+                                "may have come apart";
+            return false;
+          }
+      }
+    return true;
   }
 
 

@@ -152,6 +152,9 @@ namespace Signorini
     /// One attempt of solve_from(), without restoring the state if it fails.
     bool
     solve_from_start(const std::optional<LA::Vector> &start, double t, double tolerance);
+    /// After a solution at time t: solve again, from the present state, while bonds fail.
+    bool
+    solve_while_bonds_fail(double t, double tolerance);
     /// Store the last iterate of a failed load step, for failure().
     void
     store_failure(double t);

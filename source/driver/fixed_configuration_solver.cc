@@ -2,7 +2,7 @@
 #include "driver/fixed_configuration_solver.h"
 
 #include "base/interruption.h"
-#include "contact/laws/contact_law.h"
+#include "contact/laws/coulomb_friction.h"
 #include "fields/friction_fields.h"
 #include "matrix_free/make_stiffness.h"
 #include "solid/rigid_body_modes.h"
@@ -85,6 +85,20 @@ namespace Signorini
                            points,
                            scene.contact.chosen().make_law(points)->initial_fields())
           .internal;
+    if (scene.contact.chosen().has_strength)
+      {
+        // Bonds that have failed in this load step stay so when contact is searched for again.
+        // Points that were not found then have no bond; at first all have one.
+        LA::Vector &intact = my_contact.internal.scalars[CoulombFriction::bond];
+        const bool  is_first =
+          Utilities::MPI::max(state.contact.empty() ? 0 : 1, elasticity.mesh().communicator()) == 0;
+        if (is_first)
+          intact = 1;
+        else
+          intact = from_surface_field(state.contact, points, my_contact.internal)
+                     .internal.scalars[CoulombFriction::bond];
+        contact.set_bonds(intact);
+      }
     elasticity.material_history().start(state.start.material, state.start.duration);
     if (state.start.displacement.size() > 0)
       points.set_start(state.start.displacement);
@@ -151,11 +165,38 @@ namespace Signorini
         forget_slip_without_pressure();
         stick_without_slip();
       }
-    ContactState now        = my_contact;
-    now.internal            = now.internal_at_end;
-    state.contact           = to_surface_field(contact.gap_operator(), now, dim);
+    store_contact();
     state.volumetric_stress = elasticity.volumetric_stress().coefficients();
     clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::store_contact()
+  {
+    ContactState now = my_contact;
+    now.internal     = now.internal_at_end;
+    state.contact    = to_surface_field(contact.gap_operator(), now, dim);
+  }
+
+
+
+  // The solver is made anew, since the rigid-body modes that ties have constrained may be free.
+  template <int dim>
+  bool
+  FixedConfigurationSolver<dim>::break_bonds()
+  {
+    if (!scene.contact.chosen().has_strength ||
+        !contact.break_bonds(my_contact.traction,
+                             my_contact.internal.scalars[CoulombFriction::bond]))
+      return false;
+    my_contact.internal_at_end.scalars[CoulombFriction::bond] =
+      my_contact.internal.scalars[CoulombFriction::bond];
+    store_contact();
+    reset_solver();
+    return true;
   }
 
 

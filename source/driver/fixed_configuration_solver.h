@@ -58,6 +58,12 @@ namespace Signorini
     void
     start_step();
 
+    /// After a solution: let overloaded bonds fail. Then the state is no longer a solution.
+    /// Collective.
+    /// @return whether any has failed
+    bool
+    break_bonds();
+
     /// Set the initial guess of the next solution. @param u displacement that satisfies the
     /// supports of that solution
     void
@@ -159,6 +165,9 @@ namespace Signorini
     /// exceptions.
     UnconstrainedModes
     make_unconstrained_modes();
+    /// Store tractions, status and internal variables of the last iterate in the state.
+    void
+    store_contact();
     /// Discard the solver; counters are kept.
     void
     reset_solver();

@@ -207,8 +207,9 @@ namespace Signorini
               {
                 longest = (next - t) / 2;
                 // Smaller steps find the load at which friction is exceeded.
-                if (longest < 0.999 * shortest || (problem.report().has_unconstrained_modes &&
-                                                   !scene.contact.chosen().has_friction))
+                if (longest < 0.999 * shortest ||
+                    (problem.report().has_unconstrained_modes &&
+                     !scene.contact.chosen().has_friction && !scene.contact.chosen().has_strength))
                   return false;
                 if (my_path_error)
                   out << "  the path: halving the load step"

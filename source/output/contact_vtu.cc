@@ -39,7 +39,7 @@ namespace Signorini
     template <int dim>
     struct Fields
     {
-      LA::Vector displacement, pressure, gap, status, coverage, stick;
+      LA::Vector displacement, pressure, gap, status, coverage, stick, bond;
       /// The components of the traction, of its tangential part, and of the slip.
       std::vector<LA::Vector> traction, tangential, slip;
 
@@ -75,6 +75,7 @@ namespace Signorini
         tangential = with_ghosts(along);
         slip       = with_ghosts(slip_since_contact(snapshot, pair));
         stick      = nodal(sticks(snapshot.contact_state.status));
+        bond       = nodal(sticks(snapshot.contact.coefficients.least_status));
       }
     };
 
@@ -102,7 +103,7 @@ namespace Signorini
     private:
       // Rows of the data: the components of the displacement and of the traction, then these, then
       // with friction the components of the tangential traction and of the slip, and the indicator
-      // of stick; deal.II expects the positions last.
+      // of stick, and that of intact bonds if bonds can fail; deal.II expects the positions last.
       enum Row : unsigned int
       {
         traction = dim,
@@ -114,14 +115,16 @@ namespace Signorini
         tangential = frictionless_end,
         slip       = tangential + dim,
         stick      = slip + dim,
-        frictional_end
+        frictional_end,
+        bond = frictional_end,
+        bonded_end
       };
 
       /// The first of the rows of the positions.
       unsigned int
       position() const
       {
-        return has_friction ? frictional_end : frictionless_end;
+        return has_strength ? bonded_end : has_friction ? frictional_end : frictionless_end;
       }
 
       const std::vector<Patch> &
@@ -141,6 +144,8 @@ namespace Signorini
         names.insert(names.end(), dim, "tangential_traction");
         names.insert(names.end(), dim, "slip");
         names.push_back("stick");
+        if (has_strength)
+          names.push_back("bond");
         return names;
       }
 
@@ -177,7 +182,7 @@ namespace Signorini
                  Table<2, float>     &data) const;
 
       const unsigned int n_subdivisions;
-      const bool         has_friction;
+      const bool         has_friction, has_strength;
       /// Evaluation at the points of a face: rule f is that of face f.
       hp::FEValues<dim>  values_on_faces;
       std::vector<Patch> patches;
@@ -189,6 +194,9 @@ namespace Signorini
     ContactFaces<dim>::ContactFaces(const Snapshot<dim> &snapshot)
       : n_subdivisions(snapshot.elasticity.degree())
       , has_friction(snapshot.contact.n_components() > 1)
+      , has_strength(std::any_of(snapshot.pairs.begin(),
+                                 snapshot.pairs.end(),
+                                 [](const auto &pair) { return pair.strength.given(); }))
       , values_on_faces(snapshot.elasticity.mesh().mappings(),
                         snapshot.elasticity.finite_elements(),
                         points_of_faces<dim>(n_subdivisions),
@@ -276,6 +284,8 @@ namespace Signorini
         }
       if (has_friction)
         set(Row::stick, fields.stick);
+      if (has_strength)
+        set(Row::bond, fields.bond);
       for (unsigned int q = 0; q < u.size(); ++q)
         {
           for (unsigned int d = 0; d < dim; ++d)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/laws/bonds.h"
 #include "fields/friction_fields.h"
 #include "output/json.h"
 #include "output/results.h"
@@ -112,8 +113,29 @@ namespace Signorini
   Json
   tie_results(const Snapshot<dim> &s, const Tensor<1, dim> &force, const unsigned int pair)
   {
-    return {{"tangential_force", list(force)},
-            {"max_tangential_traction", largest_tangential_traction(s, pair)}};
+    Json result = {{"tangential_force", list(force)},
+                   {"max_tangential_traction", largest_tangential_traction(s, pair)}};
+    if (s.pairs[pair].strength.given())
+      {
+        const LA::Vector utilisation =
+          bond_utilisation(s.pairs, s.contact, s.contact_state.traction);
+        double areas[2] = {0, 0}, largest = 0; // areas: all, and where the bond is intact
+        s.contact.for_each_point([&](const auto i, const unsigned int of) {
+          if (of != pair)
+            return;
+          areas[0] += s.contact.weight(i);
+          if (status_of(s.contact.coefficients.least_status(i)) == ContactStatus::stick)
+            areas[1] += s.contact.weight(i);
+          largest = std::max(largest, double(utilisation(i)));
+        });
+        const MPI_Comm comm = s.elasticity.mesh().communicator();
+        Utilities::MPI::sum(areas, comm, areas);
+        result["bond"] = {{"area", areas[1]},
+                          {"failed_share", areas[0] > 0 ? 1 - areas[1] / areas[0] : 0.},
+                          {"utilisation", Utilities::MPI::max(largest, comm)},
+                          {"change_across_face", change_across_face(s.contact, pair, utilisation)}};
+      }
+    return result;
   }
 
 

@@ -110,6 +110,9 @@ namespace Signorini
       });
       method.has_ties =
         std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) { return pair.is_tied; });
+      method.has_strength = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+        return pair.strength.given();
+      });
     }
   } // namespace
 

@@ -285,58 +285,6 @@ namespace Signorini
         "the angle between the slave normal and the opposite of the master normal is too large where the surfaces touch",
         "refine there, or split the boundary");
     }
-
-    /// Check that nodes match, with a method that connects nodes with surfaces.
-    CheckResult
-    check_matching_nodes(const std::string &name, const double share_of_others)
-    {
-      return make_check_result(
-        "non-matching nodes",
-        name,
-        share_of_others,
-        0.01,
-        "direct elimination is a node-to-surface method: where slave nodes do not coincide with master nodes, errors of "
-        "the pressure exceed 10 %",
-        "use matching meshes, or choose another method");
-    }
-
-    /// Check that the slave is tied as a whole, and that nodes match if they have to.
-    std::vector<CheckResult>
-    check_tie(const std::string &name, const double tied_share, const double share_of_other_nodes)
-    {
-      return {
-        make_check_result(
-          "untied share of the slave",
-          name,
-          1 - tied_share,
-          0.05,
-          "that part of the slave is free: it does not face the master, or is farther from it than a tenth of a "
-          "face, or than the Search distance",
-          "set a larger Search distance; or make the smaller surface the slave"),
-        check_matching_nodes(name, share_of_other_nodes)};
-    }
-    /// Check that the image of a master lies on its slave, by the gaps that are kept without
-    /// strain. Collective.
-    template <int dim>
-    CheckResult
-    check_image(const std::string &name, const ContactSurface<dim> &surface, const MPI_Comm comm)
-    {
-      double largest = 0;
-      for (const ContactPoint<dim> &point : surface.points)
-        largest = std::max(largest, std::abs(point.prescribed_gap));
-      largest                  = Utilities::MPI::max(largest, comm);
-      CheckResult check_result = make_check_result(
-        "gap of the image / face",
-        name,
-        surface.face_size > 0 ? largest / surface.face_size : 0.,
-        1e-3,
-        "the image of the master does not lie on the slave: the angle, the axis or the shift may be "
-        "wrong, and so may all results be",
-        "check Master rotation, Master axis and Master shift; of curved cuts, refine the mesh");
-      if (check_result.value > 1e-2)
-        check_result.outcome = Outcome::failed;
-      return check_result;
-    }
   } // namespace
 
 
@@ -384,14 +332,11 @@ namespace Signorini
         // Tied surfaces neither slide nor have an edge of contact.
         if (pair.is_tied)
           {
-            for (const CheckResult &one :
-                 check_tie(pair.name,
-                           covered_share(surface, now.elasticity.mesh().communicator()),
-                           is_nodal && !obstacle ? surface.non_matching_share : 0))
+            const auto &its = results["pairs"][pair.name];
+            for (const CheckResult &one : check_tie(now, i, is_nodal && !obstacle, its))
               check_results.push_back(one);
-            if (!pair.image.is_master())
-              check_results.push_back(
-                check_image(pair.name, surface, now.elasticity.mesh().communicator()));
+            if (now.contact.at_rest() && pair.strength.given() && its["bond"]["failed_share"] > 0.)
+              check_results.push_back(check_small_sliding(now, pair, obstacle, displacements));
             continue;
           }
         if (extent.active == 0 ||

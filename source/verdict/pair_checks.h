@@ -65,6 +65,26 @@ namespace Signorini
                  double                        face_size,
                  unsigned int                  step);
 
+  /// @return the check that nodes match, with a method that connects nodes with surfaces.
+  /// @param name of the pair
+  /// @param share_of_others share of the slave's area whose nodes do not coincide with master nodes
+  CheckResult
+  check_matching_nodes(const std::string &name, double share_of_others);
+
+  /// @return the checks of a tied pair: whether the slave is tied as a whole, whether nodes match
+  /// if they have to, the image of its master, and the resolution of a bond that can fail.
+  /// Collective.
+  /// @param now the solution
+  /// @param pair its number
+  /// @param needs_nodes whether the method connects nodes with surfaces
+  /// @param results the entry of the pair in results.json
+  template <int dim>
+  std::vector<CheckResult>
+  check_tie(const Snapshot<dim>          &now,
+            unsigned int                  pair,
+            bool                          needs_nodes,
+            const nlohmann::ordered_json &results);
+
   /// @return the result of a check, of a pair or of the whole load step: passed up to the limit,
   /// otherwise a warning.
   /// @param check its name

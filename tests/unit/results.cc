@@ -343,6 +343,11 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
                              "subsection joint\n",
                              "subsection joint\nset Law = tied\nset Shortening = 0\n"));
   REQUIRE(tied.code == solved);
+  const Solved bonded(Two(),
+                      replaced(blocks,
+                               "subsection joint\n",
+                               "subsection joint\nset Law = tied\nset Strength = 1e9\n"));
+  REQUIRE(bonded.code == solved);
   const Solved one(Two(), warm), two(Two(), pressed_block<2>()), three(Three(), pressed_block<3>()),
     failed(Two(), hopeless, true);
   REQUIRE(one.code == solved);
@@ -351,7 +356,7 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
   REQUIRE(failed.code == not_converged);
 
   std::set<std::string> paths;
-  for (const Solved *run : {&one, &two, &three, &failed, &accurate, &open, &rough, &tied})
+  for (const Solved *run : {&one, &two, &three, &failed, &accurate, &open, &rough, &tied, &bonded})
     collect_paths(without_former_names(run->results), "", paths);
   const std::set<std::string> page = documented("results.json");
   CHECK_MESSAGE(without(paths, page).empty(),

@@ -63,7 +63,11 @@ namespace TestScene
     settings.declare(section);
     section.close();
     for (auto &[name, one] : settings.methods)
-      one->has_friction = !decisions.pairs[0].friction.is_zero();
+      {
+        one->has_friction = scene.contact.chosen().has_friction;
+        one->has_ties     = scene.contact.chosen().has_ties;
+        one->has_strength = scene.contact.chosen().has_strength;
+      }
     scene.contact = settings;
     decisions.check();
     contact = std::make_unique<ContactInterfaces<dim>>(decisions, *elasticity, timer, silence);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <signorini/contact/bond_strength.h>
 #include <signorini/contact/contact_compliance.h>
 #include <signorini/contact/master_image.h>
 #include <signorini/contact/pretension.h>
@@ -94,8 +95,8 @@ namespace Signorini
     double closes_below = -1;
     /// False: bilateral contact, g = 0 for either sign of the pressure.
     bool can_separate = true;
-    /// The surfaces are glued: no gap and no slip, whatever the traction. Then can_separate is
-    /// false.
+    /// The surfaces are glued: no gap and no slip, whatever the traction, or up to the strength of
+    /// the bond. Then can_separate is false.
     bool is_tied = false;
     /// Tied surfaces that keep the gaps between them, whatever these are, without strain.
     bool                     keeps_gaps = false;
@@ -104,6 +105,7 @@ namespace Signorini
     ContactCompliance        compliance;
     MasterImage<dim>         image;      ///< of the master, which the slave meets
     Pretension<dim>          pretension; ///< of tied surfaces that are a section through a bolt
+    BondStrength<dim>        strength;   ///< of tied surfaces whose bond can fail
     /// Of tied surfaces: the slaves of pairs in contact. Nodes that they share with this slave have
     /// multipliers of contact alone: with both, the contact of two tied nodes would be one
     /// condition twice.

@@ -66,6 +66,7 @@ namespace Signorini
   CoulombFriction::CoulombFriction(const ContactMethod &method, const GapOperator &contact)
     : ContactLaw(contact)
     , has_friction(method.has_friction)
+    , has_strength(method.has_strength)
     , normal(method, contact)
     , shift(method.pressure_shift())
     , last(contact.zeros())

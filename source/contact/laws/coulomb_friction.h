@@ -18,7 +18,8 @@ namespace Signorini
   /// t^ - c s is inside the disc, else it slips. If the traction is an unknown, the equation is
   /// (t - Pi(t^ - c s))/c = 0: s = 0 where it sticks, and the solution does not depend on c (Alart,
   /// Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375; Hueber, Stadler, Wohlmuth, SIAM
-  /// J. Sci. Comput. 30 (2008) 572-596). Points of tied pairs stick whatever their traction.
+  /// J. Sci. Comput. 30 (2008) 572-596). Points of tied pairs stick whatever their traction,
+  /// as long as their bond is intact.
   ///
   /// With a tangential compliance e of the interface the slip that remains to be zero where points
   /// stick is s + e (t - t_n), so that t = Pi((t^ - c s + c e t_n)/(1 + c e)).
@@ -29,10 +30,14 @@ namespace Signorini
   /// bodies (scalar 0) [force/length]; and the length of the path of slip (scalar 1) [length]. The
   /// latter two are those of (t - (t^ - c s))/c, the slip without the elastic one of penalties, or
   /// that of the discretisation with Nitsche's method: the work is not negative. A point that opens
-  /// keeps the scalars only.
+  /// keeps the scalars only. Where bonds can fail, scalar 2 is 1 at points whose bond is intact,
+  /// else 0: the law keeps it, and the driver changes it (BondStrength).
   class CoulombFriction : public ContactLaw
   {
   public:
+    /// The number of the internal scalar that tells whether a bond is intact.
+    static constexpr unsigned int bond = 2;
+
     /// Keeps a reference to the gap operator, whose coefficients contain mu.
     CoulombFriction(const ContactMethod &method, const GapOperator &contact);
 
@@ -60,7 +65,12 @@ namespace Signorini
     InternalVariables
     initial_variables() const override
     {
-      return {std::vector<LawVector>(shift == PressureShift::normal_stress ? 3 : 2), {0., 0.}};
+      InternalVariables result{std::vector<LawVector>(shift == PressureShift::normal_stress ? 3 :
+                                                                                              2),
+                               {0., 0.}};
+      if (has_strength)
+        result.scalars.push_back(1);
+      return result;
     }
 
     bool
@@ -147,6 +157,7 @@ namespace Signorini
     predicted(Index point, const LawInput &in, unsigned int component) const;
 
     const bool    has_friction; ///< at any point; else points of tied pairs stick, others slip
+    const bool    has_strength; ///< whether bonds of tied pairs can fail
     NormalContact normal;
     const PressureShift shift;
     PointVectors        last;                    ///< traction of the last augmentation

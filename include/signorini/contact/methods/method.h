@@ -78,9 +78,9 @@ namespace Signorini
     virtual std::unique_ptr<ContactLaw>
     make_law(const GapOperator &contact) const;
 
-    /// Whether any pair of the scene has friction, and whether any is tied, which the scene tells
-    /// its methods.
-    bool has_friction = false, has_ties = false;
+    /// Whether any pair of the scene has friction, whether any is tied, and whether any tied one
+    /// can fail, which the scene tells its methods.
+    bool has_friction = false, has_ties = false, has_strength = false;
 
     /// True if the law depends on the slip; then contact points have as many components as the
     /// dimension.
