@@ -218,3 +218,43 @@ TEST_CASE("import: equations between displacements")
   CHECK(terms[0].component == 1);
   CHECK(terms[0].factor == doctest::Approx(1));
 }
+
+
+
+// A rigid rotation by 0.01 about an axis satisfies all of them, but MEANROT, which measures it.
+TEST_CASE("import: linearised equations of *MPC")
+{
+  const std::string load =
+    "*STEP\n*STATIC\n1, 1\n*CLOAD\n5, 1, 1.\n*BOUNDARY\n88, 1, 1, 0.01\n*END STEP\n";
+  const auto with = [&](const std::string &mpcs) {
+    return TemporaryFile(bolt_deck("*NODE\n88, 0, 0, 2\n*NSET, NSET=top\n5, 6, 7, 8\n*MPC\n" + mpcs,
+                                   load),
+                         ".inp");
+  };
+  const TemporaryFile file =
+    with("BEAM, 5, 7\nPLANE, top\nMEANROT, 5, 5, 5, 6, 6, 6, 7, 7, 7\n0, 8, 8, 8, 88\n");
+  const auto [text, messages] = imported(file.path);
+  CHECK(messages.empty());
+  const Scene<3>     scene = checked<3>(text);
+  const AbaqusDeck   deck  = read_abaqus_deck(file.path);
+  const Tensor<1, 3> spin({0.02, -0.03, 0.01}), shift({1, 2, 3});
+  unsigned int       n = 0;
+  for (const auto &one : scene.equations)
+    for (const auto &terms : one.equations)
+      {
+        double sum = 0;
+        for (const auto &term : terms)
+          {
+            const std::string number = term.node.substr(term.node.find('.') + 1);
+            const Point<3>    x = deck.mesh.nodes[deck.mesh.numbers.at("").at(std::stoul(number))];
+            sum += term.factor * (shift + cross_product_3d(spin, x))[term.component];
+          }
+        CHECK(sum == doctest::Approx(one.value.value({}, 1)).epsilon(1e-10));
+        ++n;
+      }
+  CHECK(n == 3);
+  CHECK(imported(with("DIST, 5, 5, 5, 6, 6, 6, 88\n").path).second.find("DIST") !=
+        std::string::npos);
+  CHECK(imported(with("STRAIGHT, 5, 6, 7\n").path).second.find("not on one line") !=
+        std::string::npos);
+}

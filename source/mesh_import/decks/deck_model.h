@@ -296,6 +296,8 @@ namespace Signorini
     std::vector<Coupling>              couplings;
     std::vector<PretensionSection>     pretensions;
     std::vector<Equation>              equations;
+    /// Whether some of the equations are linearisations of nonlinear ones, in global components.
+    bool has_linearised_equations = false;
     /// Position in the file where geometric nonlinearity is first requested; empty: nowhere.
     std::string nlgeom;
 

@@ -56,6 +56,7 @@ namespace Signorini
     {"DISTRIBUTING COUPLING", &DeckReader::read_distributing_coupling},
     {"PRE-TENSION SECTION", &DeckReader::read_pretension},
     {"EQUATION", &DeckReader::read_equations},
+    {"MPC", &DeckReader::read_mpcs},
     {"HEADING", &DeckReader::ignore},
     {"PREPRINT", &DeckReader::ignore},
     {"NODE", &DeckReader::ignore},
@@ -101,7 +102,6 @@ namespace Signorini
   const std::map<std::string, std::string, IgnoringBlanks> DeckReader::not_modelled = {
     {"PLASTIC", "materials are linear elastic"},
     {"CREEP", "materials are linear elastic"},
-    {"MPC", "nodes are not tied to each other by nonlinear equations"},
     {"KINEMATIC COUPLING", "nodes do not follow others"},
     {"SHELL SECTION", "solids alone have stiffness"},
     {"BEAM SECTION", "solids alone have stiffness"},

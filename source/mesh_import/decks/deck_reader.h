@@ -145,6 +145,10 @@ namespace Signorini
     void
     add_equations(const Words &terms);
     void
+    read_mpcs();
+    void
+    add_mpc(const std::string &kind, const std::vector<unsigned int> &nodes);
+    void
     read_pretension();
     void
     lock_pretensions();

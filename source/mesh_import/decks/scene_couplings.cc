@@ -202,7 +202,13 @@ namespace Signorini
         const bool  is_whole =
           axis || std::all_of(held.begin(), held.begin() + dim, [](const bool c) { return c; });
         // All components along turned axes are all components.
-        const bool is_held = one.is_distributing && at.is_held,
+        const auto is_other_than = [](const std::vector<std::string> &texts, const std::string &x) {
+          return std::any_of(texts.begin(), texts.end(), [&](const auto &one) { return one != x; });
+        };
+        // The mean displacement of nodes can be prescribed, the rotation cannot.
+        const bool is_mean = one.is_distributing && at.is_held && !one.nodes.empty() && !one.axes &&
+                             !is_other_than(at.rotation, "free"),
+                   is_held = one.is_distributing && at.is_held && !is_mean,
                    is_turned =
                      one.is_distributing && one.axes && (dim == 2 || one.axes->is_cylindrical);
         if (!is_whole || is_held || is_turned)
@@ -215,6 +221,12 @@ namespace Signorini
                             "support");
             model.lacks_supports = true;
             continue;
+          }
+        if (is_mean)
+          {
+            add_mean_equations(one);
+            if (!is_other_than(at.force, "0") && !is_other_than(at.moment, "0"))
+              continue;
           }
         const std::string where = coupled_surfaces(one);
         if (where.empty())

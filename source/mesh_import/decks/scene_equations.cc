@@ -78,6 +78,24 @@ namespace Signorini
 
 
 
+  // The mean displacement of the nodes of a distributing coupling is that of its reference node,
+  // where that has a support.
+  void
+  SceneWriter::add_mean_equations(const DeckModel::Coupling &one)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (!component_at(model.supports, one.reference, d, "", 1).empty())
+        {
+          DeckModel::Equation equation;
+          for (const unsigned int node : one.nodes)
+            equation.push_back({node, d, 1});
+          equation.push_back({one.reference, d, -double(one.nodes.size())});
+          model.equations.push_back(equation);
+        }
+  }
+
+
+
   // Nodes that are on no body stand for the right-hand side: their displacements are prescribed.
   // Equations with the same right-hand side are one entry of the scene.
   std::string
@@ -135,6 +153,13 @@ namespace Signorini
         (same == by_value.end() ? by_value.emplace_back(value, std::vector<std::string>()) : *same)
           .second.push_back(join(terms));
       }
+    if (model.has_linearised_equations && (is_finite_strain || !model.axes_of_nodes.empty()))
+      model.skip_item(
+        is_finite_strain ?
+          "*MPC that follows the motion; equations are those of the undeformed bodies" :
+          "*MPC beside *TRANSFORM, whose axes count for it too",
+        "",
+        "support");
     if (n_left > 0)
       {
         model.skip_item("*EQUATION of " + std::to_string(n_left) +

@@ -238,7 +238,8 @@ namespace Signorini
   {
     // All sections are written before the header, since they add to the list of omissions, and
     // loads and supports add sets to the bodies.
-    const std::string rigid = obstacles() + equations();
+    std::string rigid = obstacles(); // may add equations
+    rigid += equations();
     forget_reference_nodes();                           // their supports and forces are in these
     const std::string what_acts = supports() + loads(); // and makes sets of the bodies
     limit_steps_at_kinks();

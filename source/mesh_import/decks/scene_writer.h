@@ -122,6 +122,8 @@ namespace Signorini
     equations();
     std::vector<std::string>
     names_of_nodes() const;
+    void
+    add_mean_equations(const DeckModel::Coupling &one);
     bool
     defines_only(const DeckModel::Equation &equation, const DeckModel::EquationTerm &term) const;
     dealii::Tensor<1, 3>
