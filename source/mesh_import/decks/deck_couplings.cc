@@ -96,14 +96,52 @@ namespace Signorini
       {
         if (is_first)
           coupling.components.fill(false);
-        const unsigned int first = component(words, 0),
-                           last =
-                             words.size() > 1 && !words[1].empty() ? component(words, 1) : first;
-        for (unsigned int d = std::max(first, 1u); d <= std::min(last, 3u); ++d)
-          coupling.components[d - 1] = true;
+        add_components(words, 0, coupling);
       }
     model.couplings.push_back(coupling);
     coupling = {};
+  }
+
+
+
+  // The first and the last component that take part, from 1; those of rotations do not count, since
+  // nodes of solids have none.
+  void
+  DeckReader::add_components(const Words         &words,
+                             const unsigned int   at,
+                             DeckModel::Coupling &to) const
+  {
+    const unsigned int first = component(words, at),
+                       last  = words.size() > at + 1 && !words[at + 1].empty() ?
+                                 component(words, at + 1) :
+                                 first;
+    for (unsigned int d = std::max(first, 1u); d <= std::min(last, 3u); ++d)
+      to.components[d - 1] = true;
+  }
+
+
+
+  // Data lines: a node or set, first and last component; none: all of them.
+  void
+  DeckReader::read_kinematic_coupling()
+  {
+    const unsigned int reference = node_of("REF NODE");
+    if (in.has("ORIENTATION"))
+      skip_item("ORIENTATION");
+    for (Words words; in.next_line(words);)
+      {
+        DeckModel::Coupling one;
+        one.keyword   = "*KINEMATIC COUPLING";
+        one.name      = words[0];
+        one.nodes     = nodes_of(words[0]);
+        one.reference = reference;
+        if (words.size() > 1 && !words[1].empty())
+          {
+            one.components.fill(false);
+            add_components(words, 1, one);
+          }
+        model.couplings.push_back(one);
+      }
   }
 
 

@@ -57,6 +57,7 @@ namespace Signorini
     {"PRE-TENSION SECTION", &DeckReader::read_pretension},
     {"EQUATION", &DeckReader::read_equations},
     {"MPC", &DeckReader::read_mpcs},
+    {"KINEMATIC COUPLING", &DeckReader::read_kinematic_coupling},
     {"HEADING", &DeckReader::ignore},
     {"PREPRINT", &DeckReader::ignore},
     {"NODE", &DeckReader::ignore},
@@ -102,7 +103,6 @@ namespace Signorini
   const std::map<std::string, std::string, IgnoringBlanks> DeckReader::not_modelled = {
     {"PLASTIC", "materials are linear elastic"},
     {"CREEP", "materials are linear elastic"},
-    {"KINEMATIC COUPLING", "nodes do not follow others"},
     {"SHELL SECTION", "solids alone have stiffness"},
     {"BEAM SECTION", "solids alone have stiffness"},
     {"MEMBRANE SECTION", "solids alone have stiffness"},

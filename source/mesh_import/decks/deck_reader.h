@@ -139,6 +139,10 @@ namespace Signorini
     void
     end_coupling();
     void
+    add_components(const Words &words, unsigned int at, DeckModel::Coupling &to) const;
+    void
+    read_kinematic_coupling();
+    void
     read_distributing_coupling();
     void
     read_equations();

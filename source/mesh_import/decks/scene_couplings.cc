@@ -211,14 +211,20 @@ namespace Signorini
                    is_held = one.is_distributing && at.is_held && !is_mean,
                    is_turned =
                      one.is_distributing && one.axes && (dim == 2 || one.axes->is_cylindrical);
+        // Equations have no forces of their own.
+        if (!is_whole && !one.is_distributing && !is_other_than(at.force, "0") &&
+            !is_other_than(at.moment, "0") && add_coupling_equations(one))
+          continue;
         if (!is_whole || is_held || is_turned)
           {
-            model.skip_item(one.keyword +
-                              (!is_whole ? " of some components only" :
-                               is_held   ? " with a support of its reference node" :
-                                           " with an ORIENTATION that is cylindrical or not known"),
-                            "",
-                            "support");
+            model.skip_item(
+              one.keyword +
+                (!is_whole ?
+                   " of some components only, with forces at its reference node or large deformation" :
+                 is_held ? " with a support of its reference node" :
+                           " with an ORIENTATION that is cylindrical or not known"),
+              "",
+              "support");
             model.lacks_supports = true;
             continue;
           }

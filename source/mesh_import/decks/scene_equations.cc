@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
 
 // Equations between displacements.
 
@@ -29,34 +32,53 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// @return the direction of a component along axes at a place: global ones, if there are none.
+    /// Not finite where the axes have none.
+    Tensor<1, 3>
+    direction_along(const std::optional<DeckModel::Axes> &axes,
+                    const Point<3>                       &place,
+                    const unsigned int                    component)
+    {
+      if (!axes)
+        {
+          Tensor<1, 3> result;
+          result[component] = 1;
+          return result;
+        }
+      const auto &[is_cylindrical, first, second] = *axes;
+      const auto vector                           = [](const std::array<double, 3> &v) {
+        return Tensor<1, 3>({v[0], v[1], v[2]});
+      };
+      // x' is radial or the first vector, z' the axis or across both vectors.
+      Tensor<1, 3> x = vector(first), z = cross_product_3d(x, vector(second));
+      if (is_cylindrical)
+        {
+          z = vector(second) - vector(first);
+          x = place - Point<3>(first[0], first[1], first[2]);
+          z /= z.norm();
+          x -= (x * z) * z;
+        }
+      x /= x.norm();
+      z /= z.norm();
+      return component == 0 ? x : component == 2 ? z : cross_product_3d(z, x);
+    }
+  } // namespace
+
+
+
   /// @return the direction of a component of the displacement of a node: along an axis, or along
   /// those of its *TRANSFORM.
   Tensor<1, 3>
   SceneWriter::direction_of(const unsigned int node, const unsigned int component) const
   {
-    Tensor<1, 3> result;
-    const auto   turned = model.axes_of_nodes.find(node);
-    if (turned == model.axes_of_nodes.end())
-      {
-        result[component] = 1;
-        return result;
-      }
-    const auto &[is_cylindrical, first, second] = model.axes[turned->second];
-    const auto vector                           = [](const std::array<double, 3> &v) {
-      return Tensor<1, 3>({v[0], v[1], v[2]});
-    };
-    // x' is radial or the first vector, z' the axis or across both vectors.
-    Tensor<1, 3> x = vector(first), z = cross_product_3d(x, vector(second));
-    if (is_cylindrical)
-      {
-        z = vector(second) - vector(first);
-        x = model.deck.mesh.nodes[node] - Point<3>(first[0], first[1], first[2]);
-        z /= z.norm();
-        x -= (x * z) * z;
-      }
-    x /= x.norm();
-    z /= z.norm();
-    return component == 0 ? x : component == 2 ? z : cross_product_3d(z, x);
+    const auto turned = model.axes_of_nodes.find(node);
+    return direction_along(turned == model.axes_of_nodes.end() ?
+                             std::optional<DeckModel::Axes>() :
+                             std::optional<DeckModel::Axes>(model.axes[turned->second]),
+                           model.deck.mesh.nodes[node],
+                           component);
   }
 
 
@@ -92,6 +114,93 @@ namespace Signorini
           equation.push_back({one.reference, d, -double(one.nodes.size())});
           model.equations.push_back(equation);
         }
+  }
+
+
+
+  // e.u = e.(U + w x r) for the coupled components e of each node, with the motion U, w of the
+  // reference node. Those of its components that nothing prescribes are unknowns, which a few of
+  // the equations determine: Gauss-Jordan elimination takes them out of all the others.
+  bool
+  SceneWriter::add_coupling_equations(const DeckModel::Coupling &one)
+  {
+    using Row = std::map<std::pair<unsigned int, unsigned int>, double>;
+    if (is_finite_strain || one.rotation || !names_of_nodes()[one.reference].empty())
+      return false;
+    const std::vector<Point<3>> &at = model.deck.mesh.nodes;
+    std::vector<Row>             rows;
+    for (const unsigned int node : model.nodes_of(one))
+      for (unsigned int c = 0; c < 3; ++c)
+        if (one.components[c] && (dim == 3 || c < 2))
+          {
+            const Tensor<1, 3> e = direction_along(one.axes, at[node], c),
+                               r = at[node] - at[one.reference], turn = cross_product_3d(r, e);
+            if (!std::isfinite(e.norm()) || model.axes_of_nodes.count(node) > 0)
+              return false;
+            Row row;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                row[{node, d}]          = e[d];
+                row[{one.reference, d}] = -e[d];
+              }
+            for (unsigned int d = dim == 2 ? 2 : 0; d < 3; ++d)
+              row[{one.reference, 3 + d}] = -turn[d];
+            rows.push_back(row);
+          }
+    for (unsigned int q = 0; q < 6; ++q)
+      {
+        const std::pair<unsigned int, unsigned int> unknown(one.reference, q);
+        if (!component_at(model.supports, one.reference, q, "", 1).empty())
+          continue;
+        const auto factor = [&](const Row &row) {
+          const auto found = row.find(unknown);
+          return found == row.end() ? 0. : found->second;
+        };
+        const auto pivot = std::max_element(rows.begin(), rows.end(), [&](auto &a, auto &b) {
+          return std::abs(factor(a)) < std::abs(factor(b));
+        });
+        if (pivot == rows.end())
+          return false;
+        const Row    removed = *pivot;
+        const double largest = factor(removed);
+        // Distances of nodes from the reference node are levers.
+        if (std::abs(largest) > (q < 3 ? 1e-8 : 1e-8 * mean_distance(one)))
+          {
+            rows.erase(pivot);
+            for (Row &row : rows)
+              if (const double share = factor(row) / largest; share != 0)
+                for (const auto &[term, value] : removed)
+                  row[term] -= share * value;
+          }
+        for (Row &row : rows)
+          row.erase(unknown);
+      }
+    for (const Row &row : rows)
+      {
+        double largest = 0;
+        for (const auto &[term, value] : row)
+          largest = term.first == one.reference ? largest : std::max(largest, std::abs(value));
+        DeckModel::Equation equation;
+        for (const auto &[term, value] : row)
+          if (std::abs(value) > 1e-12 * largest || term.first == one.reference)
+            equation.push_back({term.first, term.second, value});
+        if (largest > 1e-8)
+          model.equations.push_back(equation);
+      }
+    return true;
+  }
+
+
+
+  /// @return the mean distance of the nodes of a coupling from its reference node.
+  double
+  SceneWriter::mean_distance(const DeckModel::Coupling &one) const
+  {
+    const std::vector<unsigned int> nodes = model.nodes_of(one);
+    double                          sum   = 0;
+    for (const unsigned int node : nodes)
+      sum += model.deck.mesh.nodes[node].distance(model.deck.mesh.nodes[one.reference]);
+    return sum / nodes.size();
   }
 
 

@@ -125,6 +125,10 @@ namespace Signorini
     void
     add_mean_equations(const DeckModel::Coupling &one);
     bool
+    add_coupling_equations(const DeckModel::Coupling &one);
+    double
+    mean_distance(const DeckModel::Coupling &one) const;
+    bool
     defines_only(const DeckModel::Equation &equation, const DeckModel::EquationTerm &term) const;
     dealii::Tensor<1, 3>
     direction_of(unsigned int node, unsigned int component) const;
