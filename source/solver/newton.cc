@@ -20,6 +20,17 @@ namespace Signorini
       const PointVectors nothing = law.gap_operator().zeros();
       return law.trial({nothing, nothing, state.traction, state.internal})[0].linfty_norm() > 0;
     }
+
+    /// True if the points of all ranks are tied, so that no status changes. Collective.
+    bool
+    has_fixed_status(const GapOperator &contact)
+    {
+      const LA::Vector &least    = contact.coefficients.least_status;
+      bool              is_fixed = true;
+      for (const auto i : least.locally_owned_elements())
+        is_fixed = is_fixed && status_of(least(i)) == ContactStatus::stick;
+      return Utilities::MPI::min(is_fixed ? 1 : 0, least.get_mpi_communicator()) == 1;
+    }
   } // namespace
 
 
@@ -217,7 +228,7 @@ namespace Signorini
     // Forcing term (doc/theory, 4.8): while the active set or the penalty changes, the next system
     // makes the digits of this solution beyond the first ones useless.
     const bool is_settled =
-      contact.empty() ||
+      contact.empty() || has_fixed_status(contact) ||
       (n > 0 && step.changes == 0 && !step.restricted_set && !stage.penalty_scale_changed);
     // A partial solution, after which the geometry is updated, needs only the digits that a Newton
     // step gains.

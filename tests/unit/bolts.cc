@@ -275,10 +275,12 @@ TEST_CASE("import: linearised equations of *MPC")
   CHECK(n_equations(scene) == 3);
   CHECK(error_of_rigid_motion(
           file.path, scene, Tensor<1, 3>({1, 2, 3}), Tensor<1, 3>({0.02, -0.03, 0.01})) < 1e-9);
-  const TemporaryFile unknown(with("DIST, 5, 5, 5, 6, 6, 6, 88\n"), ".inp"),
-    bent(with("STRAIGHT, 5, 6, 7\n"), ".inp");
-  CHECK(imported(unknown.path).second.find("DIST") != std::string::npos);
-  CHECK(imported(bent.path).second.find("not on one line") != std::string::npos);
+  const auto messages_of = [&](const std::string &mpcs) {
+    const TemporaryFile one(with(mpcs), ".inp");
+    return imported(one.path).second;
+  };
+  CHECK(messages_of("DIST, 5, 5, 5, 6, 6, 6, 88\n").find("DIST") != std::string::npos);
+  CHECK(messages_of("STRAIGHT, 5, 6, 7\n").find("not on one line") != std::string::npos);
 }
 
 

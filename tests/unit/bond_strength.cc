@@ -103,7 +103,7 @@ TEST_CASE("the criterion of a bond")
 TEST_CASE("a crack runs as far in two load steps as in ten, and for all methods")
 {
   const Lines  lines = strips(40, "if(x < 6, 0, 1.2)");
-  const double face = 0.25, reference = area_after(lines, 10, "Lagrange multiplier");
+  const double face = 0.5, reference = area_after(lines, 10, "Lagrange multiplier");
   CHECK(reference == doctest::Approx(20 - 10.55).epsilon(0.15));
   CHECK(std::abs(area_after(lines, 2, "Lagrange multiplier") - reference) < 1.01 * face);
   CHECK(std::abs(area_after(lines, 2, "penalty") - reference) < 1.01 * face);

@@ -1115,7 +1115,7 @@ TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
       says(imported(file.path).second, of);
     };
   const std::string load = "*CLOAD\n5, 3, 1.\n";
-  warns(coupling + "1\n", load, "*KINEMATIC of some components only");
+  warns(coupling + "1\n", "*CLOAD\n9, 1, 1.\n", "*KINEMATIC of some components only");
   warns("*RIGID BODY, NSET=edge, REF NODE=9\n*NSET, NSET=edge\n5, 6\n", load, "no whole face");
   warns("*NSET, NSET=some\n1, 5, 6, 7, 8\n*RIGID BODY, NSET=some, REF NODE=9\n",
         load,
