@@ -375,12 +375,11 @@ namespace Signorini
   {
     while (configuration_solver.break_bonds())
       {
-        previous_steps       = my_report.steps;
-        const bool is_solved = my_uses_current_geometry ?
-                                 update_geometry_until_converged(t, tolerance, true) :
-                                 solve_fixed_configuration(t, {tolerance}) &&
-                                   (!needs_geometry_update(true) ||
-                                    update_geometry_until_converged(t, tolerance, false));
+        previous_steps = my_report.steps;
+        // Where bonds fail, bodies may jump: surfaces are where they were until this is solved.
+        const bool is_solved = solve_fixed_configuration(t, {tolerance}) &&
+                               (!(my_uses_current_geometry || needs_geometry_update(true)) ||
+                                update_geometry_until_converged(t, tolerance, false));
         if (!is_solved)
           {
             my_report.reason += "; bonds have failed in this load step (Strength), and the bodies "

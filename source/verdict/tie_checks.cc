@@ -96,9 +96,11 @@ namespace Signorini
     const MPI_Comm             comm    = now.elasticity.mesh().communicator();
     const ContactPair<dim>    &its     = now.pairs[pair];
     const ContactSurface<dim> &surface = now.surfaces[pair];
-    std::vector<CheckResult>   checks  = {
-         check_tied_share(its.name, covered_share(surface, comm)),
-         check_matching_nodes(its.name, needs_nodes ? surface.non_matching_share : 0)};
+    // Parts that have come off may be anywhere.
+    const bool has_failed           = its.strength.given() && results["bond"]["failed_share"] > 0.;
+    std::vector<CheckResult> checks = {
+      check_tied_share(its.name, has_failed ? 1. : covered_share(surface, comm)),
+      check_matching_nodes(its.name, needs_nodes ? surface.non_matching_share : 0)};
     if (!its.image.is_master())
       checks.push_back(check_image(its.name, surface, comm));
     if (its.strength.given())

@@ -135,8 +135,11 @@ namespace Signorini
           {
             const Tensor<1, 3> e = direction_along(one.axes, at[node], c),
                                r = at[node] - at[one.reference], turn = cross_product_3d(r, e);
-            if (!std::isfinite(e.norm()) || model.axes_of_nodes.count(node) > 0)
+            if (model.axes_of_nodes.count(node) > 0)
               return false;
+            // On a cylindrical axis there are no radial and tangential directions.
+            if (!std::isfinite(e.norm()))
+              continue;
             Row row;
             for (unsigned int d = 0; d < dim; ++d)
               {
