@@ -20,8 +20,8 @@ namespace Signorini
   /// traction t, the tensile strength S and the shear strength T (C. C. Brewer, P. A. Lagace, J.
   /// Composite Mater. 22 (1988) 1141-1155). It fails for good and at once: from then on its
   /// surfaces are in contact, with the friction of the pair. With a compliance e of the interface
-  /// that is the linear elastic-brittle model, whose fracture energy is e S^2/2 (V. Mantic et al.,
-  /// Eng. Fract. Mech. 2015).
+  /// that is the linear elastic-brittle interface, whose fracture energy is e S^2/2 (L. Tavara, V.
+  /// Mantic, E. Graciani, F. Paris, Eng. Anal. Bound. Elem. 35 (2011) 207-222; doc/theory, 2.16).
   template <int dim>
   struct BondStrength
   {

@@ -6,6 +6,7 @@
 #include <signorini/contact/bond_strength.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Signorini
 {
@@ -81,7 +82,6 @@ namespace Signorini
   void
   set_bonds(const std::vector<ContactPair<dim>> &pairs, LA::Vector &intact, GapOperator &contact)
   {
-    std::string  error;
     unsigned int wrong = 0; // one more than the number of a pair
     contact.for_each_point([&](const auto i, const unsigned int pair) {
       if (!pairs[pair].strength.given())
