@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/simulation.h"
 
+#include "checkpoint/checkpoints.h"
 #include "driver/scene_setup.h"
 #include "output/directory.h"
 #include "output/preflight.h"
@@ -83,6 +84,8 @@ namespace Signorini
         {
           out << "The run in " << scene.output.directory << " is finished, with exit code " << *code
               << ": nothing was done." << std::endl;
+          // A run that was killed after its last results has left them.
+          Checkpoints(scene.output.directory, comm).remove();
           return *code;
         }
     const std::string remark =

@@ -88,7 +88,10 @@ def interrupted(number, ranks):
         check_same(test, folder, whole)
         test.check(not list(folder.glob("checkpoint-*")), "checkpoints are left")
         test.check(len(results_in(folder)["restarts"]) == 1, "results.json does not tell of the restart")
+        # As after a kill between the last results and the end of the process.
+        (folder / "checkpoint-0009").mkdir()
         ends(test, ["--restart", folder], 0, "is finished, with exit code 0: nothing was done")
+        test.check(not list(folder.glob("checkpoint-*")), "checkpoints are left by the restart of a finished run")
     return body
 
 
