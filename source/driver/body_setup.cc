@@ -59,16 +59,10 @@ namespace Signorini
     std::vector<ThermalExpansion<dim>> expansions;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
-        const Body<dim> &body = scene.bodies[b];
         for (const Material &material : decisions.materials(b))
           materials.push_back(material);
-        expansions.push_back(body.expansion);
-        for (const MaterialOfCells &one : body.others)
-          {
-            expansions.push_back(body.expansion);
-            if (!one.expansion.empty())
-              expansions.back().coefficients = one.expansion;
-          }
+        for (const ThermalExpansion<dim> &expansion : decisions.expansions(b))
+          expansions.push_back(expansion);
       }
     // Only obstacles that can move have degrees of freedom.
     std::vector<RigidBody<dim>> rigid_bodies;

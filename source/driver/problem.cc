@@ -4,7 +4,6 @@
 #include "accuracy/p_refinement.h"
 #include "accuracy/refinement.h"
 #include "driver/scene_setup.h"
-#include "materials/material_law.h"
 #include "solid/deformation_change.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
@@ -124,11 +123,12 @@ namespace Signorini
     double             limit = scene.deformation_share;
     for (const double target : scene.goals.targets)
       limit = std::min(limit, target);
+    Decisions<dim> at_finite_strain = decisions;
+    at_finite_strain.finite_strain  = true;
     std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;
     for (unsigned int body = 0; body < scene.bodies.size(); ++body)
-      for (const Material &material : decisions.materials(body))
-        laws.push_back(material.constitutive_law ? material.constitutive_law :
-                                                   law_of(material).make(material));
+      for (const Material &material : at_finite_strain.materials(body))
+        laws.push_back(material.constitutive_law);
     const DeformationChange change   = deformation_change(*elasticity, laws, state.displacement);
     const bool              is_small = change.work <= limit;
     neglected_work                   = std::max(neglected_work.value_or(0), change.work);

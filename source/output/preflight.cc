@@ -261,8 +261,8 @@ namespace Signorini
             if (alpha * rise > small)
               warnings.push_back(
                 "body " + name +
-                ": thermal strains exceed 5 %, but thermal expansion is limited to small strains; "
-                "check the units of Thermal expansion and Temperature");
+                ": thermal strains exceed 5 %; check the units of Thermal expansion and Temperature, "
+                "or set Deformation = finite");
           }
     }
   } // namespace

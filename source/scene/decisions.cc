@@ -137,7 +137,8 @@ namespace Signorini
   std::vector<Material>
   Decisions<dim>::materials(const unsigned int body) const
   {
-    std::vector<Material> result;
+    std::vector<Material>                    result;
+    const std::vector<ThermalExpansion<dim>> thermal = expansions(body);
     // The flags of the displacement-pressure formulation are in the order of the materials of the
     // body.
     for (const Material *material : scene.bodies[body].materials())
@@ -147,6 +148,27 @@ namespace Signorini
         result.back().is_up_formulation = is_up_formulation;
         if (finite_strain && !material->constitutive_law)
           result.back().constitutive_law = law_of(*material).make(result.back());
+        auto &law = result.back().constitutive_law;
+        if (const auto &expansion = thermal[result.size() - 1]; law && expansion.given())
+          law = with_thermal_stretch(law, material->strain_measure, expansion.alpha());
+      }
+    return result;
+  }
+
+
+
+  // Sets of cells have the temperature of their body, and may have coefficients of their own.
+  template <int dim>
+  std::vector<ThermalExpansion<dim>>
+  Decisions<dim>::expansions(const unsigned int body) const
+  {
+    const Body<dim>                   &one = scene.bodies[body];
+    std::vector<ThermalExpansion<dim>> result{one.expansion};
+    for (const MaterialOfCells &cells : one.others)
+      {
+        result.push_back(one.expansion);
+        if (!cells.expansion.empty())
+          result.back().coefficients = cells.expansion;
       }
     return result;
   }
@@ -282,10 +304,6 @@ namespace Signorini
         refuse(
           "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
           "is not available for Model = plane stress with Deformation = finite; use a Traction instead");
-    for (const Body<dim> &body : scene.bodies)
-      if (body.expansion.given())
-        refuse("Bodies/" + body.name + "/Thermal expansion",
-               "is not available with Deformation = finite");
     if (!scene.goals.quantities.empty())
       refuse("Accuracy/Quantity = " + scene.goals.quantities.front(),
              "error estimation is not available with Deformation = finite");

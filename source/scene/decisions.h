@@ -49,10 +49,16 @@ namespace Signorini
     std::string reason;
 
     /// @return the materials of a body, its own and those of its sets of cells, in the order of
-    /// their ids, with their formulation, and with the law of finite strain if that is used.
+    /// their ids, with their formulation, and with the law of finite strain if that is used. Laws
+    /// contain the thermal expansion of their cells.
     /// @param body its index
     std::vector<Material>
     materials(unsigned int body) const;
+
+    /// @return the thermal expansion that belongs to each of materials().
+    /// @param body its index
+    std::vector<ThermalExpansion<dim>>
+    expansions(unsigned int body) const;
 
     /// @return the degree of the body of a boundary; 0 for obstacles.
     /// @param surface BODY.BOUNDARY

@@ -99,18 +99,18 @@ namespace Signorini
 
 
 
-  // For a law that is compared with another one at the same displacement: without temperature and
-  // duration.
+  // For a law that is compared with another one at the same displacement: without duration.
   MaterialPoint::MaterialPoint(const ConstitutiveLaw &law,
                                const double           volumetric_stress,
-                               const double *const    internal)
+                               const double *const    internal,
+                               const double           temperature_rise)
     : strain_measure(StrainMeasure::finite)
     , volumetric_stress(volumetric_stress)
     , law(&law)
     , linear(0, 0)
     , internal(internal)
     , duration(0)
-    , temperature_rise(0)
+    , temperature_rise(temperature_rise)
   {}
 
 

@@ -38,9 +38,11 @@ namespace Signorini
 
     /// A point of a material with that law of finite strain.
     /// @param internal internal variables, law.n_internal() of them; null: none
+    /// @param temperature_rise T - T_0
     MaterialPoint(const ConstitutiveLaw &law,
                   double                 volumetric_stress = 0,
-                  const double          *internal          = nullptr);
+                  const double          *internal          = nullptr,
+                  double                 temperature_rise  = 0);
 
     /// The response of the law: stress S, and tangent 2 dS/dC and energy as far as wanted. @param C
     /// C = F^T F at finite strain, 1 + 2 eps at small strain

@@ -40,10 +40,12 @@ namespace Signorini
                          sigma(elasticity.stress(cell, gradient, u, x));
       // Laws with internal variables are compared as they are at the start.
       const std::vector<double> internal(law.n_internal(), 0.);
-      const auto                state =
-        response_if_any(elasticity.model(),
-                        {law, elasticity.volumetric_stress().value(cell, x), internal.data()},
-                        F);
+      const auto                state = response_if_any(elasticity.model(),
+                                         {law,
+                                                         elasticity.volumetric_stress().value(cell, x),
+                                                         internal.data(),
+                                                         elasticity.thermal().temperature_change(cell, x)},
+                                         F);
       return {std::abs(scalar_product(sigma, H)),
               state ? std::abs(scalar_product(F * Tensor<2, 3>(state->stress) - sigma, H)) :
                       std::nan("")};

@@ -23,7 +23,7 @@ namespace Signorini
   /// inverted count as completely wrong. Where bodies bend, rotations of order t contribute t^2
   /// over the strain, which is more than the error of the deflection: the result is an upper bound
   /// rather than an estimate. Collective.
-  /// @param elasticity at small strain, without thermal expansion
+  /// @param elasticity at small strain
   /// @param laws one for each material id
   template <int dim>
   DeformationChange

@@ -194,8 +194,9 @@ namespace Signorini
           read_indices<dim>(cell, indices);
           const Material &material = materials[cell->material_id()];
           const bool      acts     = load_kernel.assemble(cell, cell_load);
-          const bool      loaded   = thermal_load.add(cell, material, cell_load) || acts;
-          const bool      moved =
+          const bool      loaded =
+            (!material.constitutive_law && thermal_load.add(cell, material, cell_load)) || acts;
+          const bool moved =
             // For linear bodies prescribed displacements are moved to the right-hand side; the
             // residual of nonlinear ones is evaluated at displacements that satisfy them.
             !is_nonlinear() && std::any_of(indices.begin(), indices.end(), [&](const auto i) {

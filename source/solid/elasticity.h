@@ -80,10 +80,10 @@ namespace Signorini
     StiffnessAssembly<dim>
     assembly() const;
 
-    /// Right-hand side at the time of set_time() [force], without ghosts: loads and forces of
-    /// thermal strain; at small strain also minus the forces of the prescribed displacements, as
-    /// stiffness() requires. Zero at constrained degrees of freedom. Throws SceneError on all ranks
-    /// where a load is not a number. Collective.
+    /// Right-hand side at the time of set_time() [force], without ghosts: loads, and forces of
+    /// thermal strain of bodies without a constitutive law; at small strain also minus the forces
+    /// of the prescribed displacements, as stiffness() requires. Zero at constrained degrees of
+    /// freedom. Throws SceneError on all ranks where a load is not a number. Collective.
     LA::Vector
     load() const;
 

@@ -58,7 +58,8 @@ namespace Signorini
             matrix.vmult(force, values);
             add_volumetric_stress(cell);
           }
-        thermal_load.add(cell, material, cell_load);
+        if (!material.constitutive_law)
+          thermal_load.add(cell, material, cell_load);
         force -= cell_load;
         return force;
       }

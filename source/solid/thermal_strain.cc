@@ -191,6 +191,7 @@ namespace Signorini
         if (!one.given() || times[id] == t || (!std::isnan(times[id]) && !one.depends_on_time()))
           continue;
         times[id] = t;
+        ++my_version;
         std::vector<Point<dim>> bad;
         FEValues<dim>           values = points_in_cells(mesh, degrees[id]);
         // A uniform temperature needs no projection.
@@ -242,6 +243,17 @@ namespace Signorini
     if (!expands(cell.material_id()))
       return {};
     return temperature_change(cell, x) * expansions[cell.material_id()].alpha();
+  }
+
+
+
+  // The stretches of the axes are 1 + alpha_i (T - T_0).
+  template <int dim>
+  double
+  ThermalStrain<dim>::volume_ratio(const Cell &cell, const Point<dim> &x) const
+  {
+    const Tensor<1, 3> of_axes = strain(cell, x);
+    return (1 + of_axes[0]) * (1 + of_axes[1]) * (1 + of_axes[2]);
   }
 
 

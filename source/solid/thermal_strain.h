@@ -58,6 +58,18 @@ namespace Signorini
     dealii::Tensor<1, 3>
     strain(const Cell &cell, const dealii::Point<dim> &x) const;
 
+    /// The volume of free expansion at finite strain over that at T_0, at a point of a locally
+    /// owned or ghost cell.
+    double
+    volume_ratio(const Cell &cell, const dealii::Point<dim> &x) const;
+
+    /// A number that changes with the temperatures.
+    unsigned int
+    version() const
+    {
+      return my_version;
+    }
+
     /// The stress C : alpha along the axes that suppresses a rise of one [force/(area
     /// temperature)].
     /// @param id of the material
@@ -117,11 +129,13 @@ namespace Signorini
     std::vector<double> of_cells;
     /// The time of the present values, by material id; NaN: none.
     std::vector<double> times;
+    unsigned int        my_version = 0;
   };
 
   /// The forces of thermal strain, int (C : eps_T) : eps(v) dV, cell by cell (the last term of
   /// doc/theory, (1.4)). They are integrated as the stiffness is, so that both are in equilibrium
-  /// for the displacement of free expansion. Keeps references to its arguments.
+  /// for the displacement of free expansion. Bodies with a constitutive law have them in their
+  /// internal forces. Keeps references to its arguments.
   template <int dim>
   class ThermalLoad
   {

@@ -65,7 +65,9 @@ namespace Signorini
             if (!(J > 0))
               return false;
             volumetric_strain = std::log(J);
-            by_gradient       = invert(F);
+            if (expands)
+              volumetric_strain -= std::log(elasticity.thermal().volume_ratio(*cell, x));
+            by_gradient = invert(F);
           }
         else if (expands)
           {

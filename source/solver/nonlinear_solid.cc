@@ -39,7 +39,36 @@ namespace Signorini
   void
   NonlinearSolid<dim>::set_load(LA::Vector load)
   {
-    f = std::move(load);
+    f            = std::move(load);
+    thermal_size = size_of_thermal_forces();
+    if (my_volumetric && elasticity.thermal().any())
+      my_volumetric->set_compliance();
+  }
+
+
+
+  // Bodies with a law contain their thermal strain in the internal forces, which are zero in
+  // equilibrium: the scale is the force that would suppress the expansion. Collective.
+  template <int dim>
+  double
+  NonlinearSolid<dim>::size_of_thermal_forces() const
+  {
+    if (!elasticity.thermal().any())
+      return 0;
+    ThermalLoad<dim> thermal(elasticity.mesh(),
+                             elasticity.finite_elements(),
+                             elasticity.thermal(),
+                             elasticity.model());
+    LA::Vector       sum = elasticity.zero_vector();
+    Vector<double>   of_cell;
+    for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
+      const Material &material = elasticity.material(cell->material_id());
+      of_cell.reinit(indices.size());
+      if (material.constitutive_law && thermal.add(cell, material, of_cell))
+        elasticity.constraints().distribute_local_to_global(of_cell, indices, sum);
+    });
+    sum.compress(VectorOperation::add);
+    return sum.l2_norm();
   }
 
 
@@ -162,18 +191,19 @@ namespace Signorini
 
 
 
-  // The scale of forces: loads, reactions at prescribed displacements, or follower pressures.
+  // The scale of forces: loads, reactions at prescribed displacements, follower pressures, or
+  // thermal strain.
   template <int dim>
   double
   NonlinearSolid<dim>::load_size() const
   {
-    return std::max({double(f.l2_norm()), reaction, following});
+    return std::max({double(f.l2_norm()), reaction, following, thermal_size});
   }
 
 
 
   // The tangent at u, or at the origin if there is one, which is used up by this. Nothing is done
-  // if neither displacement nor volumetric stress nor history have changed.
+  // if neither displacement nor volumetric stress nor history nor temperature have changed.
   template <int dim>
   void
   NonlinearSolid<dim>::linearise(const LA::Vector &u)
@@ -186,8 +216,9 @@ namespace Signorini
       my_volumetric->linearise(u);
     const unsigned int volumetric_version = my_volumetric ? my_volumetric->version() : 0;
     const unsigned int history_version    = elasticity.material_history().version();
+    const unsigned int thermal_version    = elasticity.thermal().version();
     if (linearised.size() > 0 && linearised_volumetric == volumetric_version &&
-        linearised_history == history_version)
+        linearised_history == history_version && linearised_thermal == thermal_version)
       {
         LA::Vector change = there;
         change -= linearised;
@@ -202,6 +233,7 @@ namespace Signorini
     linearised            = there;
     linearised_volumetric = volumetric_version;
     linearised_history    = history_version;
+    linearised_thermal    = thermal_version;
   }
 
 

@@ -130,6 +130,9 @@ namespace Signorini
                 &visit) const;
     LA::Vector
     forces(const LA::Vector &u) const;
+    /// The norm of the forces of thermal strain of bodies with a constitutive law. Collective.
+    double
+    size_of_thermal_forces() const;
     /// Throws SceneError where a pressure is not a number. Collective.
     void
     check_pressures() const;
@@ -140,11 +143,13 @@ namespace Signorini
     const std::unique_ptr<VolumeConstraint<dim>> my_volumetric; ///< null: no body is mixed
     LA::Vector                                   f;
     LA::Vector                                   origin; ///< see extrapolate_from(); empty: none
-    LA::Vector                                   linearised;        ///< where; empty: nowhere
-    unsigned int linearised_volumetric = 0, linearised_history = 0; ///< their versions there
+    LA::Vector                                   linearised; ///< where; empty: nowhere
+    /// Their versions there.
+    unsigned int linearised_volumetric = 0, linearised_history = 0, linearised_thermal = 0;
     mutable DeformationKernel<dim>            kernel;
     mutable PressureKernel<dim>               pressures;
     const std::unique_ptr<Linearisation<dim>> linearisation;
+    double                                    thermal_size = 0; ///< see size_of_thermal_forces()
     mutable double reaction = 0, following = 0; ///< sizes, of reactions and pressures
     mutable double largest = 0;                 ///< load_size() so far
   };

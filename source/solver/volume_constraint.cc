@@ -46,28 +46,49 @@ namespace Signorini
     , kernel(elasticity)
   {
     make_pattern();
+    set_compliance();
   }
 
 
 
-  // The pattern of B_m, and the diagonals of C_m and of the Schur complement (doc/theory, (6.20),
-  // (7.13)), which depend on materials and cells only.
+  // The pattern of B_m, which depends on materials and cells only.
   template <int dim>
   void
   VolumeConstraint<dim>::make_pattern()
   {
-    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
-    LA::SparsityPattern          pattern(volumetric.owned(),
+    const VolumetricStress<dim>         &volumetric = elasticity.volumetric_stress();
+    LA::SparsityPattern                  pattern(volumetric.owned(),
                                 elasticity.owned(),
                                 elasticity.mesh().communicator());
-    my_coupling.compliance = my_coupling.schur = volumetric.zero_vector();
     std::vector<types::global_dof_index> indices;
     for_cells([&](const Cell &cell) {
       read_indices<dim>(cell, indices);
       free.add_entries_local_to_global(
         volumetric.indices(*cell), elasticity.constraints(), indices, pattern, false);
+      return false;
+    });
+    pattern.compress();
+    my_coupling.B.reinit(pattern);
+  }
+
+
+
+  // The diagonals of C_m and of the Schur complement (doc/theory, (6.20), (7.13)). At finite strain
+  // the energy m^2/(2 lambda) is per volume of the expanded body, m per volume at T_0: with the
+  // ratio s of these volumes, C_m is int phi^2/(s lambda) dV.
+  template <int dim>
+  void
+  VolumeConstraint<dim>::set_compliance()
+  {
+    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    my_coupling.compliance = my_coupling.schur = volumetric.zero_vector();
+    for_cells([&](const Cell &cell) {
       const Material &material = elasticity.material(cell->material_id());
-      const double    size = volumetric.size(*cell), compliance = size * material.bulk_compliance();
+      const double    size     = volumetric.size(*cell),
+                   ratio       = elasticity.is_finite_strain() ?
+                                   elasticity.thermal().volume_ratio(*cell, cell->center()) :
+                                   1.,
+                   compliance  = size * material.bulk_compliance() / ratio;
       for (const auto i : volumetric.indices(*cell))
         {
           my_coupling.compliance(i) = compliance;
@@ -75,8 +96,6 @@ namespace Signorini
         }
       return false;
     });
-    pattern.compress();
-    my_coupling.B.reinit(pattern);
     my_coupling.compliance.compress(VectorOperation::insert);
     my_coupling.schur.compress(VectorOperation::insert);
   }

@@ -23,6 +23,11 @@ namespace Signorini
 
     explicit VolumeConstraint(Elasticity<dim> &elasticity);
 
+    /// Set the diagonals of the compliance and of the Schur complement, which at finite strain
+    /// depend on temperatures; to be called when these have changed. Collective.
+    void
+    set_compliance();
+
     void
     extrapolate_from(const LA::Vector &u) override;
     LA::Vector
@@ -60,8 +65,8 @@ namespace Signorini
     /// returns whether the cell is inverted. Throws SolverFailure then. Collective.
     void
     for_cells(const std::function<bool(const Cell &cell)> &visit) const;
+    /// Set the sparsity pattern of B_m.
     void
-    /// Set the sparsity pattern of B_m and the diagonals, which do not depend on the displacement.
     make_pattern();
     /// Throws SceneError if an incompressible body is constrained on its whole surface, so that its
     /// pressure is determined only up to a constant.

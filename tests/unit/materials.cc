@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stored energies of large deformation: what they exert against what they store.
 
+#include "materials/material_law.h"
 #include "materials/stored_energies.h"
 
 #include <doctest/doctest.h>
@@ -117,6 +118,52 @@ TEST_CASE("stress and tangent where principal stretches are equal, or nearly so"
           check_derivatives(*one.law, 1.2 * one_of + apart * turn);
         }
     }
+}
+
+
+
+TEST_CASE("a law with thermal stretches: derivatives, and a heated body is a larger one")
+{
+  /// Heated by 2, with stretches of 0.8 to 1.4.
+  struct Heated : Hyperelastic
+  {
+    Heated(const std::shared_ptr<const Hyperelastic> &law, const Tensor<1, 3> &alpha)
+      : law(with_thermal_stretch(law, StrainMeasure::finite, alpha))
+    {}
+
+    ConstitutiveResponse
+    at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const override
+    {
+      return law->response({C, nullptr, 0, 2}, wanted);
+    }
+
+    const std::shared_ptr<const ConstitutiveLaw> law;
+  };
+  const Tensor<1, 3> uniform({0.2, 0.2, 0.2}), by_axes({0.2, 0.1, -0.1});
+  constexpr double   s = 1.4;
+  std::mt19937       numbers(11);
+  for (const Law &one : laws())
+    {
+      CAPTURE(one.name);
+      const SymmetricTensor<2, 3> C = random_deformation(0.1, numbers);
+      check_derivatives(Heated(one.law, by_axes), C);
+      const auto cold = one.law->at(C, ResponseOrder::tangent),
+                 hot  = Heated(one.law, uniform).at(s * s * C, ResponseOrder::tangent);
+      CHECK(hot.energy == doctest::Approx(s * s * s * cold.energy).epsilon(1e-12));
+      CHECK((hot.stress / s - cold.stress).norm() < 1e-12 * cold.tangent.norm());
+      CHECK((s * hot.tangent - cold.tangent).norm() < 1e-12 * cold.tangent.norm());
+    }
+  const auto            small = with_thermal_stretch(std::make_shared<SaintVenantKirchhoff>(3, 2),
+                                          StrainMeasure::small,
+                                          by_axes);
+  SymmetricTensor<2, 3> free  = unit_symmetric_tensor<3>();
+  for (unsigned int i = 0; i < 3; ++i)
+    free[i][i] += 2 * by_axes[i] * 2;
+  CHECK(small->response({free, nullptr, 0, 2}, ResponseOrder::stress).stress.norm() < 1e-14);
+  // The stretch along z would be -0.1.
+  CHECK_THROWS_AS(
+    Heated(laws()[0].law, by_axes).law->response({free, nullptr, 0, 11}, ResponseOrder::stress),
+    std::domain_error);
 }
 
 
