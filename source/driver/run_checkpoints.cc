@@ -91,12 +91,13 @@ namespace Signorini
 
 
   std::optional<ExitCode>
-  exit_code_of_finished_run(const std::string &directory)
+  exit_code_of_finished_run(const std::string &directory, const MPI_Comm comm)
   {
     std::ifstream file(directory + "/results.json");
     const Json    results = Json::parse(file, nullptr, false);
     if (!results.is_object() || !results.value("complete", false))
       return {};
+    Checkpoints(directory, comm).remove();
     return static_cast<ExitCode>(results.at("exit_code").get<int>());
   }
 

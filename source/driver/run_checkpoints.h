@@ -39,10 +39,11 @@ namespace Signorini
   };
 
   /// @return the exit code of the run in an output directory, if that run is finished. A finished
-  /// run has complete results; any other content of the file counts as unfinished.
+  /// run has complete results; any other content of the file counts as unfinished. Checkpoints that
+  /// it has left, because it was killed after its last results, are removed. Collective.
   /// @param directory of the run
   std::optional<ExitCode>
-  exit_code_of_finished_run(const std::string &directory);
+  exit_code_of_finished_run(const std::string &directory, MPI_Comm comm);
 
   /// The checkpoints of one run: reads that from which the run is continued, and writes those from
   /// which it can be. All functions are collective unless they only return a value.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/simulation.h"
 
-#include "checkpoint/checkpoints.h"
 #include "driver/scene_setup.h"
 #include "output/directory.h"
 #include "output/preflight.h"
@@ -80,12 +79,10 @@ namespace Signorini
   {
     const bool is_restart = origin == RunOrigin::checkpoint;
     if (is_restart)
-      if (const auto code = exit_code_of_finished_run(scene.output.directory))
+      if (const auto code = exit_code_of_finished_run(scene.output.directory, comm))
         {
           out << "The run in " << scene.output.directory << " is finished, with exit code " << *code
               << ": nothing was done." << std::endl;
-          // A run that was killed after its last results has left them.
-          Checkpoints(scene.output.directory, comm).remove();
           return *code;
         }
     const std::string remark =
