@@ -247,6 +247,24 @@ namespace
     return error;
   }
 
+  /// The sums of the forces on single nodes at t = 1, and of their moments about the origin.
+  std::pair<Tensor<1, 3>, Tensor<1, 3>>
+  resultants(const std::string &file, const Scene<3> &scene)
+  {
+    const AbaqusDeck                      deck = read_abaqus_deck(file);
+    std::pair<Tensor<1, 3>, Tensor<1, 3>> sum;
+    for (const Load<3> &load : scene.loads)
+      for (const std::string &node : load.nodes.sets)
+        {
+          const unsigned long number = std::stoul(node.substr(node.find('.') + 1));
+          const Point<3>      x      = deck.mesh.nodes[deck.mesh.numbers.at("").at(number)];
+          const Tensor<1, 3>  force  = load.force_at(x, 1);
+          sum.first += force;
+          sum.second += cross_product_3d(x, force);
+        }
+    return sum;
+  }
+
   unsigned int
   n_equations(const Scene<3> &scene)
   {
@@ -306,6 +324,31 @@ TEST_CASE("import: kinematic couplings of some components")
       CHECK(error_of_rigid_motion(
               file.path, scene, Tensor<1, 3>({1, 2, 3}), Tensor<1, 3>({0, 0, 0.01})) < 1e-9);
       const TemporaryFile forced(with(coupling, "*CLOAD\n88, 1, 1.\n"), ".inp");
-      CHECK(imported(forced.path).second.find("forces at its reference node") != std::string::npos);
+      const auto [forced_text, none] = imported(forced.path);
+      CHECK(none.empty());
+      const Tensor<1, 3> force = resultants(forced.path, checked<3>(forced_text)).first;
+      CHECK((force - Tensor<1, 3>({1, 0, 0})).norm() < 1e-12);
     }
+}
+
+
+
+// Three corners of the middle plane are on no whole face.
+TEST_CASE("import: a rigid body of single nodes carries force and moment of its reference node")
+{
+  const std::string body = "*NODE\n88, 0.3, 0.2, 1.5\n89, 0.3, 0.2, 1.5\n*NSET, NSET=top\n5, 6, 7\n"
+                           "*RIGID BODY, NSET=top, REF NODE=88, ROT NODE=89\n",
+                    loads =
+                      "*STEP\n*STATIC\n1, 1\n*CLOAD\n88, 1, 1.\n88, 3, 3.\n89, 2, 5.\n*END STEP\n";
+  const TemporaryFile file(bolt_deck(body, loads), ".inp");
+  const auto [text, messages] = imported(file.path);
+  CHECK(messages.empty());
+  const Scene<3> scene = checked<3>(text);
+  CHECK(n_equations(scene) == 3);
+  const Tensor<1, 3> shift({1, 2, 3}), spin({0.02, -0.03, 0.01}), force({1, 0, 3});
+  CHECK(error_of_rigid_motion(file.path, scene, shift, spin) < 1e-9);
+  const auto [sum, moment] = resultants(file.path, scene);
+  CHECK((sum - force).norm() < 1e-12);
+  CHECK((moment - cross_product_3d(Tensor<1, 3>({0.3, 0.2, 1.5}), force) - Tensor<1, 3>({0, 5, 0}))
+          .norm() < 1e-12);
 }

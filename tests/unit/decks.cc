@@ -1116,10 +1116,17 @@ TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
     };
   const std::string load = "*CLOAD\n5, 3, 1.\n";
   warns(coupling + "1\n", "*CLOAD\n9, 1, 1.\n", "*KINEMATIC of some components only");
-  warns("*RIGID BODY, NSET=edge, REF NODE=9\n*NSET, NSET=edge\n5, 6\n", load, "no whole face");
-  warns("*NSET, NSET=some\n1, 5, 6, 7, 8\n*RIGID BODY, NSET=some, REF NODE=9\n",
-        load,
-        "1 nodes of 'some'");
+  // Two nodes cannot carry the moment about the line through them.
+  warns("*RIGID BODY, NSET=edge, REF NODE=9\n*NSET, NSET=edge\n5, 6\n",
+        "*CLOAD\n9, 2, 1.\n",
+        "no whole face");
+  // At large deformation equations do not follow.
+  std::string finite =
+    deck("*NSET, NSET=some\n1, 5, 6, 7, 8\n*RIGID BODY, NSET=some, REF NODE=9\n", load);
+  const std::string step = "*STEP\n";
+  finite.replace(finite.find(step), step.size(), "*STEP, NLGEOM\n");
+  const TemporaryFile large(finite, ".inp");
+  says(imported(large.path).second, "1 nodes of 'some'");
   warns("*RIGID BODY, NSET=edge, REF NODE=9\n*NSET, NSET=edge\n5, 6\n",
         "*CLOAD\n9, 3, 1.\n",
         "*CLOAD at 1 nodes");
@@ -1282,4 +1289,18 @@ TEST_CASE("import: *MODEL CHANGE and *CHANGE FRICTION act from the beginning of 
   REQUIRE(slippery.size() == 1);
   CHECK(slippery[0].friction.value({}, 1, 1, 0) == doctest::Approx(0.1));
   CHECK(slippery[0].friction.value({}, 1.5, 1, 0) == doctest::Approx(0.3));
+  // Another law is another pair, from there on, with the friction that there was.
+  const std::string behaviour =
+    "*CHANGE SURFACE BEHAVIOR, INTERACTION=i\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n7.\n";
+  const auto softened = pairs("", behaviour + change + "REMOVE" + of_pair);
+  CHECK(softened.size() == 1);
+  const auto soft = pairs("", behaviour + "*CHANGE FRICTION, INTERACTION=i\n*FRICTION\n0.3, 0.\n");
+  REQUIRE(soft.size() == 2);
+  for (const unsigned int later : {0, 1})
+    {
+      CHECK(soft[later].acts(1) == (later == 0));
+      CHECK(soft[later].acts(1.5) == (later == 1));
+      CHECK(soft[later].compliance.is_rigid() == (later == 0));
+      CHECK(soft[later].friction.value({}, 1.5, 1, 0) == doctest::Approx(later == 0 ? 0.1 : 0.3));
+    }
 }

@@ -56,17 +56,50 @@ namespace Signorini
 
 
 
+  /// @return the name of the interaction that has taken the place of another one, or its own. In
+  /// upper case.
+  std::string
+  DeckReader::present_interaction(const std::string &name) const
+  {
+    std::string result = upper_case(name);
+    const auto  found  = model.interactions.find(result);
+    if (found == model.interactions.end())
+      in.fail("*" + in.keyword() + " of an interaction that is not there above: " + result);
+    return found->second.successor ? present_interaction(found->second.successor->second) : result;
+  }
+
+
+
+  // The next *SURFACE BEHAVIOR is that of a copy of the interaction, which takes its place from the
+  // beginning of the present step.
+  void
+  DeckReader::begin_change_of_behaviour()
+  {
+    const std::string before = present_interaction(in.value("INTERACTION"));
+    changes_behaviour        = in_step && counts();
+    if (!changes_behaviour)
+      return;
+    // A name that no file can contain.
+    interaction                          = before + "\"";
+    const DeckModel::Interaction copy    = model.interactions[before];
+    model.interactions[interaction]      = copy;
+    model.interactions[before].successor = {model.steps.back().begin, interaction};
+  }
+
+
+
   // PRESSURE-OVERCLOSURE: HARD, LINEAR and TIED with a slope, EXPONENTIAL with clearance and
   // pressure, TABULAR with lines of pressure and overclosure.
   void
   DeckReader::read_behaviour()
   {
-    // The contact law of the scene is constant in time.
-    if (in_step)
+    // Only *CHANGE SURFACE BEHAVIOR gives a pair another law.
+    if (in_step && !changes_behaviour)
       {
         skip_item("its change in a step");
         return;
       }
+    changes_behaviour            = false;
     using Kind                   = DeckModel::Interaction::Kind;
     const std::string       kind = upper_case(in.value("PRESSURE-OVERCLOSURE"));
     DeckModel::Interaction &one  = model.interactions[interaction];
@@ -227,9 +260,7 @@ namespace Signorini
   void
   DeckReader::begin_change_of_friction()
   {
-    interaction = upper_case(in.value("INTERACTION"));
-    if (model.interactions.count(interaction) == 0)
-      in.fail("*CHANGE FRICTION of an interaction that is not there above: " + interaction);
+    interaction = present_interaction(in.value("INTERACTION"));
   }
 
 

@@ -42,6 +42,7 @@ namespace Signorini
         {"motion", {"BASE MOTION"}},
         {"pair",
          {"CHANGE FRICTION",
+          "CHANGE SURFACE BEHAVIOR",
           "CLEARANCE",
           "CONTACT PAIR",
           "CONTACT",

@@ -177,6 +177,8 @@ namespace Signorini
       std::string friction;
       /// Largest shear stress of friction; 0: none given.
       double shear_limit = 0;
+      /// The time from which another interaction takes its place, and the name of that.
+      std::optional<std::pair<double, std::string>> successor = {};
     };
 
     /// Cyclic symmetry: the number of sectors, and two points of the axis.

@@ -44,6 +44,7 @@ namespace Signorini
     {"SURFACE BEHAVIOR", &DeckReader::read_behaviour},
     {"FRICTION", &DeckReader::read_friction},
     {"CHANGE FRICTION", &DeckReader::begin_change_of_friction},
+    {"CHANGE SURFACE BEHAVIOR", &DeckReader::begin_change_of_behaviour},
     {"CONTACT PAIR", &DeckReader::read_pairs},
     {"TIE", &DeckReader::read_ties},
     {"CLEARANCE", &DeckReader::read_clearance},

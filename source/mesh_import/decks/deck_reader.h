@@ -109,6 +109,10 @@ namespace Signorini
     void
     begin_interaction();
     void
+    begin_change_of_behaviour();
+    std::string
+    present_interaction(const std::string &name) const;
+    void
     read_behaviour();
     void
     read_soft_contact(bool is_table, const std::vector<Words> &lines, DeckModel::Interaction &one);
@@ -208,6 +212,8 @@ namespace Signorini
     KeywordFile in;
     DeckModel   model;
     std::string material, part, interaction;
+    /// The next *SURFACE BEHAVIOR is that of *CHANGE SURFACE BEHAVIOR.
+    bool changes_behaviour = false;
     /// Of the last *COUPLING, whose kind the next keyword gives.
     DeckModel::Coupling coupling;
     bool                in_step = false, step_counts = false;

@@ -77,18 +77,18 @@ namespace Signorini
             add_symmetry(words[0], upper_case(words[1]));
             continue;
           }
-        // Components 1 to 3 are displacements, 4 to 6 rotations, others are of other physics.
+        // Components 1 to 3 are displacements, 4 to 6 rotations, others are of other physics. Nodes
+        // of solids have no rotations: ranges such as 1 to 6 with zero hold their displacements.
         const unsigned int first = component(words, 1),
                            last =
                              words.size() > 2 && !words[2].empty() ? component(words, 2) : first;
         if (last > 6)
           skip_item("of temperatures, fluxes and the like");
-        else if (last > 3 && !holds_rotations(words[0], first, last, number(words, 3)))
+        else if (last > 3 && !holds_rotations(words[0], first, last, number(words, 3)) &&
+                 (first > 3 || number(words, 3) != 0))
           model.skip_item("*BOUNDARY of rotations", in.current_position());
         if (last < first)
           skip_item("whose last component is below the first");
-        // A range such as 2 to 6 contains displacements and rotations: its rotations were reported
-        // above, and its displacements are used.
         if (first < 1 || first > 3)
           continue;
         std::vector<unsigned int> components;

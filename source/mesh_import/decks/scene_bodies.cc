@@ -5,6 +5,9 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 // The sections of bodies and contact pairs.
 
@@ -145,32 +148,59 @@ namespace Signorini
 
 
 
-  /// Write the last of the items once for each time span in which *MODEL CHANGE lets it act.
+  /// Write the last of the items once for each part of a time span in which *MODEL CHANGE lets it
+  /// act.
   void
   SceneWriter::divide_by_times(const DeckModel::Pair  &pair,
+                               const double            begin,
+                               const double            end,
                                SetNames               &names,
                                std::vector<SceneItem> &items) const
   {
-    if (pair.changes.empty())
-      return;
     const SceneItem one = items.back();
     items.pop_back();
     // Begins and ends in turn; the last span has no end if their number is odd.
     std::vector<double> bounds = {0.};
     bounds.insert(bounds.end(), pair.changes.begin(), pair.changes.end());
+    bool is_first = true;
     for (unsigned int i = 0; i < bounds.size(); i += 2)
       {
-        const bool lasts = i + 1 == bounds.size();
-        if (!lasts && bounds[i + 1] <= bounds[i])
+        const double from = std::max(begin, bounds[i]),
+                     to   = i + 1 == bounds.size() ? end : std::min(end, bounds[i + 1]);
+        if (to <= from)
           continue;
         items.push_back(one);
-        if (i > 0)
+        if (!std::exchange(is_first, false))
           items.back().name = names.make_unique_name(one.name);
-        if (bounds[i] > 0)
-          items.back().keys.emplace_back("Start time", text_of_time(bounds[i]));
-        if (!lasts)
-          items.back().keys.emplace_back("End time", text_of_time(bounds[i + 1]));
+        if (from > 0)
+          items.back().keys.emplace_back("Start time", text_of_time(from));
+        if (std::isfinite(to))
+          items.back().keys.emplace_back("End time", text_of_time(to));
       }
+  }
+
+
+
+  /// @return the keys of a pair with an interaction: friction, pressure and overclosure, ties.
+  std::vector<std::pair<std::string, std::string>>
+  SceneWriter::interaction_keys(const DeckModel::Interaction &one) const
+  {
+    using Kind = DeckModel::Interaction::Kind;
+    std::vector<std::pair<std::string, std::string>> keys;
+    if (one.kind == Kind::tied)
+      keys.emplace_back("Law", "tied");
+    if (one.kind == Kind::never_separates)
+      keys.emplace_back("Separation", "none");
+    const bool has_friction =
+      one.kind != Kind::tied && !one.friction.empty() && one.friction != "0";
+    if (has_friction)
+      keys.emplace_back("Friction", one.friction);
+    if (has_friction && one.shear_limit > 0)
+      keys.emplace_back("Friction limit", long_text(one.shear_limit));
+    keys.insert(keys.end(), one.overclosure.begin(), one.overclosure.end());
+    if (one.stick_slope > 0 && (one.kind == Kind::tied || has_friction))
+      keys.emplace_back("Tangential stiffness", long_text(one.stick_slope));
+    return keys;
   }
 
 
@@ -190,15 +220,13 @@ namespace Signorini
         const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),
                           masters = surfaces(pair.master, "the master of a contact pair");
         // A pair whose interaction is missing has hard contact, the default.
-        const auto found = model.interactions.find(pair.interaction);
-        if (!pair.interaction.empty() && found == model.interactions.end())
+        auto interaction = model.interactions.find(pair.interaction);
+        if (!pair.interaction.empty() && interaction == model.interactions.end())
           model.skip_item("*SURFACE INTERACTION " + pair.interaction +
                             ", which is not there; contact of " + pair.slave + " on " +
                             pair.master + " is hard",
                           "",
                           "pair");
-        using Kind      = DeckModel::Interaction::Kind;
-        const Kind kind = found == model.interactions.end() ? Kind::separates : found->second.kind;
         if (pair.cyclic_tie && !pair.sectors)
           {
             model.skip_item("*TIE, CYCLIC SYMMETRY of " + pair.slave +
@@ -207,51 +235,47 @@ namespace Signorini
             model.lacks_supports = true;
             continue;
           }
-        for (const std::string &slave : split(slaves, ','))
-          for (const std::string &master : split(masters, ','))
-            {
-              items.push_back(
-                {names.make_unique_name(as_name(pair.slave) + " on " + as_name(pair.master)),
-                 {{"Slave", slave}, {"Master", master}}});
-              for (const auto &key : sector_keys(pair))
-                items.back().keys.push_back(key);
-              if (kind == Kind::tied)
-                items.back().keys.emplace_back("Law", "tied");
-              if (kind == Kind::never_separates)
-                items.back().keys.emplace_back("Separation", "none");
-              if (pair.farthest > 0)
-                items.back().keys.emplace_back("Search distance", long_text(pair.farthest));
-              const bool has_friction = kind != Kind::tied && found != model.interactions.end() &&
-                                        !found->second.friction.empty() &&
-                                        found->second.friction != "0";
-              if (has_friction)
-                {
-                  items.back().keys.emplace_back("Friction", found->second.friction);
-                  if (found->second.shear_limit > 0)
-                    items.back().keys.emplace_back("Friction limit",
-                                                   long_text(found->second.shear_limit));
-                }
-              if (found != model.interactions.end())
-                {
-                  const auto &one = found->second;
-                  for (const auto &key : one.overclosure)
-                    items.back().keys.push_back(key);
-                  if (one.stick_slope > 0 && (kind == Kind::tied || has_friction))
-                    items.back().keys.emplace_back("Tangential stiffness",
-                                                   long_text(one.stick_slope));
-                }
-              // A clearance of the deck replaces the gap that follows from the coordinates.
-              const auto clearance =
-                std::find_if(model.clearances.begin(),
-                             model.clearances.end(),
-                             [&](const auto &one) {
-                               return upper_case(one.slave) == upper_case(pair.slave) &&
-                                      upper_case(one.master) == upper_case(pair.master);
-                             });
-              if (clearance != model.clearances.end())
-                items.back().keys.emplace_back("Initial gap", long_text(clearance->value));
-              divide_by_times(pair, names, items);
-            }
+        // The interactions of the pair, one after the other.
+        double begin = 0;
+        for (const DeckModel::Interaction *one =
+               interaction == model.interactions.end() ? nullptr : &interaction->second;
+             ;)
+          {
+            const bool   is_last = !one || !one->successor;
+            const double end =
+              is_last ? std::numeric_limits<double>::infinity() : one->successor->first;
+            for (const std::string &slave : split(slaves, ','))
+              for (const std::string &master : split(masters, ','))
+                if (end > begin)
+                  {
+                    items.push_back(
+                      {names.make_unique_name(as_name(pair.slave) + " on " + as_name(pair.master)),
+                       {{"Slave", slave}, {"Master", master}}});
+                    auto      &keys = items.back().keys;
+                    const auto add  = [&](const auto &more) {
+                      keys.insert(keys.end(), more.begin(), more.end());
+                    };
+                    add(sector_keys(pair));
+                    if (pair.farthest > 0)
+                      keys.emplace_back("Search distance", long_text(pair.farthest));
+                    add(interaction_keys(one ? *one : DeckModel::Interaction()));
+                    // A clearance of the deck replaces the gap that follows from the coordinates.
+                    const auto clearance =
+                      std::find_if(model.clearances.begin(),
+                                   model.clearances.end(),
+                                   [&](const auto &of) {
+                                     return upper_case(of.slave) == upper_case(pair.slave) &&
+                                            upper_case(of.master) == upper_case(pair.master);
+                                   });
+                    if (clearance != model.clearances.end())
+                      keys.emplace_back("Initial gap", long_text(clearance->value));
+                    divide_by_times(pair, begin, end, names, items);
+                  }
+            if (is_last)
+              break;
+            begin = end;
+            one   = &model.interactions.at(one->successor->second);
+          }
       }
     return section("Contact pairs", items);
   }

@@ -39,30 +39,25 @@ namespace Signorini
 
 
 
-  /// @return the surfaces "BODY.SET, ..." that follow a reference node; empty, with a report, if
-  /// there are none. Nodes that are on no whole face of a solid are reported.
-  std::string
-  SceneWriter::coupled_surfaces(const DeckModel::Coupling &one)
+  /// Faces of one cell only are outside. Nodes of bodies that are rigid as a whole follow their
+  /// surfaces.
+  SceneWriter::CoupledFaces
+  SceneWriter::coupled_faces(const DeckModel::Coupling &one) const
   {
-    if (one.is_surface)
-      return surfaces(one.name, "a coupling");
+    CoupledFaces      result;
     std::vector<bool> is_coupled(model.deck.mesh.nodes.size(), false);
     for (const unsigned int node : one.nodes)
       is_coupled[node] = true;
-    // Faces of one cell only are outside. Nodes of bodies that are rigid as a whole follow their
-    // surfaces.
-    std::vector<DeckModel::Face> faces;
-    std::vector<bool>            follows(is_coupled.size(), false);
+    std::vector<bool> follows(is_coupled.size(), false);
     for (const auto &[face, n_cells] : cells_at_faces())
       if (n_cells == 1 && std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
             return is_coupled[node];
           }))
         {
-          faces.push_back(face);
+          result.faces.push_back(face);
           for (const unsigned int node : face)
             follows[node] = true;
         }
-    std::size_t n_left = 0;
     for (const Body &body : all)
       {
         std::vector<bool> is_corner(is_coupled.size(), false);
@@ -78,8 +73,21 @@ namespace Signorini
             n_coupled += is_corner[i] && is_coupled[i];
             n += is_corner[i] && is_coupled[i] && !follows[i];
           }
-        n_left += n_coupled == n_corners ? 0 : n;
+        result.n_other_nodes += n_coupled == n_corners ? 0 : n;
       }
+    return result;
+  }
+
+
+
+  /// @return the surfaces "BODY.SET, ..." that follow a reference node; empty, with a report, if
+  /// there are none. Nodes that are on no whole face of a solid are reported.
+  std::string
+  SceneWriter::coupled_surfaces(const DeckModel::Coupling &one)
+  {
+    if (one.is_surface)
+      return surfaces(one.name, "a coupling");
+    const auto [faces, n_left] = coupled_faces(one);
     if (n_left > 0 || faces.empty())
       {
         model.skip_item(one.keyword + " of " +
@@ -211,16 +219,20 @@ namespace Signorini
                    is_held = one.is_distributing && at.is_held && !is_mean,
                    is_turned =
                      one.is_distributing && one.axes && (dim == 2 || one.axes->is_cylindrical);
-        // Equations have no forces of their own.
-        if (!is_whole && !one.is_distributing && !is_other_than(at.force, "0") &&
-            !is_other_than(at.moment, "0") && add_coupling_equations(one))
+        // Nodes that are no surface follow by equations.
+        const auto is_surface = [&] {
+          const CoupledFaces found = coupled_faces(one);
+          return one.is_surface || (!found.faces.empty() && found.n_other_nodes == 0);
+        };
+        if (!one.is_distributing && (!is_whole || !is_surface()) && add_coupling_equations(one, at))
           continue;
         if (!is_whole || is_held || is_turned)
           {
             model.skip_item(
               one.keyword +
                 (!is_whole ?
-                   " of some components only, with forces at its reference node or large deformation" :
+                   " of some components only, which cannot carry what acts at its reference node, or at "
+                   "large deformation" :
                  is_held ? " with a support of its reference node" :
                            " with an ORIENTATION that is cylindrical or not known"),
               "",
@@ -379,7 +391,7 @@ namespace Signorini
                                         at.nodes.end(),
                                         [&](const unsigned int node) {
                                           return model.is_reference(node) ||
-                                                 nodes_of_values.count(node) > 0;
+                                                 nodes_in_equations.count(node) > 0;
                                         }),
                          at.nodes.end());
         list->erase(std::remove_if(list->begin(),

@@ -34,6 +34,52 @@ namespace Signorini
 
   namespace
   {
+    /// A node, and a component of its displacement (0, 1, 2) or rotation (3, 4, 5).
+    using NodeComponent = std::pair<unsigned int, unsigned int>;
+
+    /// A sum of displacements and rotations with factors.
+    using Row = std::map<NodeComponent, double>;
+
+    /// Take an unknown out of all rows by the one where its factor is largest, which is removed.
+    /// @param least factor that counts as one
+    /// @param works likewise, by what acts
+    /// @return false if no row determines the unknown, but something acts on it
+    bool
+    eliminate(const NodeComponent         &unknown,
+              const double                 least,
+              std::vector<Row>            &rows,
+              std::map<unsigned int, Row> &works)
+    {
+      const auto factor = [&](const Row &row) {
+        const auto found = row.find(unknown);
+        return found == row.end() ? 0. : found->second;
+      };
+      const auto   pivot   = std::max_element(rows.begin(), rows.end(), [&](auto &a, auto &b) {
+        return std::abs(factor(a)) < std::abs(factor(b));
+      });
+      const Row    removed = pivot == rows.end() ? Row() : *pivot;
+      const double largest = factor(removed);
+      const bool   is_determined = std::abs(largest) > least;
+      const auto   reduce        = [&](Row &row) {
+        if (const double share = factor(row) / largest; is_determined && share != 0)
+          for (const auto &[term, value] : removed)
+            row[term] -= share * value;
+        row.erase(unknown);
+      };
+      if (is_determined)
+        rows.erase(pivot);
+      std::for_each(rows.begin(), rows.end(), reduce);
+      for (auto &[component, work] : works)
+        {
+          if (!is_determined && std::abs(factor(work)) > least)
+            return false;
+          reduce(work);
+        }
+      return true;
+    }
+
+
+
     /// @return the direction of a component along axes at a place: global ones, if there are none.
     /// Not finite where the axes have none.
     Tensor<1, 3>
@@ -120,13 +166,26 @@ namespace Signorini
 
   // e.u = e.(U + w x r) for the coupled components e of each node, with the motion U, w of the
   // reference node. Those of its components that nothing prescribes are unknowns, which a few of
-  // the equations determine: Gauss-Jordan elimination takes them out of all the others.
+  // the equations determine: Gauss-Jordan elimination takes them out of all the others, and out of
+  // the work of what acts on them, which is left as that of forces on nodes.
   bool
-  SceneWriter::add_coupling_equations(const DeckModel::Coupling &one)
+  SceneWriter::add_coupling_equations(const DeckModel::Coupling &one, const Reference &acting)
   {
-    using Row = std::map<std::pair<unsigned int, unsigned int>, double>;
-    if (is_finite_strain || one.rotation || !names_of_nodes()[one.reference].empty())
+    const std::vector<std::string> names = names_of_nodes();
+    if (is_finite_strain || !names[one.reference].empty())
       return false;
+    const auto motion = [&](const unsigned int q) {
+      return q >= 3 && one.rotation ? NodeComponent(*one.rotation, q - 3) :
+                                      NodeComponent(one.reference, q);
+    };
+    const auto is_motion = [&](const NodeComponent &term) {
+      return term.first == one.reference || (one.rotation && term.first == *one.rotation);
+    };
+    // What acts on a component of the motion: formulas; in the plane, there is one moment.
+    const auto action = [&](const unsigned int q) {
+      return q >= 3 ? acting.moment[dim == 2 ? 0 : q - 3] : acting.force[q];
+    };
+    const auto exists = [&](const unsigned int q) { return dim == 3 || q < 2 || q == 5; };
     const std::vector<Point<3>> &at = model.deck.mesh.nodes;
     std::vector<Row>             rows;
     for (const unsigned int node : model.nodes_of(one))
@@ -143,54 +202,66 @@ namespace Signorini
             Row row;
             for (unsigned int d = 0; d < dim; ++d)
               {
-                row[{node, d}]          = e[d];
-                row[{one.reference, d}] = -e[d];
+                row[{node, d}] = e[d];
+                row[motion(d)] = -e[d];
               }
             for (unsigned int d = dim == 2 ? 2 : 0; d < 3; ++d)
-              row[{one.reference, 3 + d}] = -turn[d];
+              row[motion(3 + d)] = -turn[d];
             rows.push_back(row);
           }
+    std::map<unsigned int, Row> works; // factors of displacements, by component of the motion
+    for (unsigned int q = 0; q < 6; ++q)
+      if (exists(q) && action(q) != "0")
+        works[q][motion(q)] = 1;
     for (unsigned int q = 0; q < 6; ++q)
       {
-        const std::pair<unsigned int, unsigned int> unknown(one.reference, q);
-        if (!component_at(model.supports, one.reference, q, "", 1).empty())
+        const NodeComponent unknown = motion(q);
+        if (!exists(q) ||
+            !component_at(model.supports, unknown.first, unknown.second, "", 1).empty())
           continue;
-        const auto factor = [&](const Row &row) {
-          const auto found = row.find(unknown);
-          return found == row.end() ? 0. : found->second;
-        };
-        const auto pivot = std::max_element(rows.begin(), rows.end(), [&](auto &a, auto &b) {
-          return std::abs(factor(a)) < std::abs(factor(b));
-        });
-        if (pivot == rows.end())
-          return false;
-        const Row    removed = *pivot;
-        const double largest = factor(removed);
         // Distances of nodes from the reference node are levers.
-        if (std::abs(largest) > (q < 3 ? 1e-8 : 1e-8 * mean_distance(one)))
-          {
-            rows.erase(pivot);
-            for (Row &row : rows)
-              if (const double share = factor(row) / largest; share != 0)
-                for (const auto &[term, value] : removed)
-                  row[term] -= share * value;
-          }
-        for (Row &row : rows)
-          row.erase(unknown);
+        if (!eliminate(unknown, q < 3 ? 1e-8 : 1e-8 * mean_distance(one), rows, works))
+          return false;
       }
+    Forces forces;
+    for (const auto &[q, work] : works)
+      for (const auto &[term, value] : work)
+        if (!is_motion(term) && std::abs(value) > 1e-14)
+          forces[term.first][term.second].push_back(long_text(value) + "*(" + action(q) + ")");
+    add_forces_on_nodes(as_name(one.name), forces, names);
+    for (unsigned int q = 0; q < 6; ++q)
+      nodes_in_equations.insert(motion(q).first);
     for (const Row &row : rows)
       {
         double largest = 0;
         for (const auto &[term, value] : row)
-          largest = term.first == one.reference ? largest : std::max(largest, std::abs(value));
+          largest = is_motion(term) ? largest : std::max(largest, std::abs(value));
         DeckModel::Equation equation;
         for (const auto &[term, value] : row)
-          if (std::abs(value) > 1e-12 * largest || term.first == one.reference)
+          if (std::abs(value) > 1e-12 * largest || is_motion(term))
             equation.push_back({term.first, term.second, value});
         if (largest > 1e-8)
           model.equations.push_back(equation);
       }
     return true;
+  }
+
+
+
+  /// Add loads at single nodes.
+  void
+  SceneWriter::add_forces_on_nodes(const std::string              &of,
+                                   const Forces                   &forces,
+                                   const std::vector<std::string> &names)
+  {
+    for (const auto &[node, components] : forces)
+      {
+        std::vector<std::string> texts;
+        for (unsigned int d = 0; d < dim; ++d)
+          texts.push_back(components[d].empty() ? "0" : join(components[d], " + "));
+        coupled_loads.push_back(
+          {"force of " + of, {{"Nodes", names[node]}, {"Force", join(texts, "; ")}}});
+      }
   }
 
 
@@ -240,7 +311,7 @@ namespace Signorini
                        component_at(model.supports, term.node, term.component, "", -term.factor);
                      !motion.empty())
               {
-                nodes_of_values.insert(term.node);
+                nodes_in_equations.insert(term.node);
                 if (motion != "0" && motion != "-0")
                   values.push_back(motion);
               }

@@ -119,22 +119,19 @@ namespace Signorini
   bool
   SceneWriter::switches_to_finite_strain()
   {
-    bool is_wanted = !model.nlgeom.empty(), is_warm = false;
+    bool is_wanted = !model.nlgeom.empty();
     for (const Body &body : all)
       {
         is_wanted |= !model.materials.at(body.material).law.empty();
         for (const MaterialOfCells &one : body.others)
           is_wanted |= !model.materials.at(one.material).law.empty();
-        is_warm |= !body.temperature.empty();
       }
-    const bool        has_pressure = kind == "plane stress" && !model.pressures.empty();
-    const std::string why          = is_warm      ? "thermal expansion" :
-                                     has_pressure ? "pressures on edges of plane stress" :
-                                                    "";
-    if (is_wanted && !why.empty())
-      model.skip_item("*STEP, NLGEOM (strains and rotations are small, as " + why + " needs it)",
+    const bool has_pressure = kind == "plane stress" && !model.pressures.empty();
+    if (is_wanted && has_pressure)
+      model.skip_item("*STEP, NLGEOM (strains and rotations are small, as pressures on edges of "
+                      "plane stress need it)",
                       model.nlgeom);
-    return is_wanted && why.empty();
+    return is_wanted && !has_pressure;
   }
 
 

@@ -110,6 +110,14 @@ namespace Signorini
     only_axis(const DeckModel::Coupling &one) const;
     std::string
     obstacles();
+    /// The whole faces of solids of a coupling, and the number of its nodes that are on none.
+    struct CoupledFaces
+    {
+      std::vector<DeckModel::Face> faces;
+      std::size_t                  n_other_nodes = 0;
+    };
+    CoupledFaces
+    coupled_faces(const DeckModel::Coupling &one) const;
     std::string
     coupled_surfaces(const DeckModel::Coupling &one);
     std::string
@@ -125,7 +133,13 @@ namespace Signorini
     void
     add_mean_equations(const DeckModel::Coupling &one);
     bool
-    add_coupling_equations(const DeckModel::Coupling &one);
+    add_coupling_equations(const DeckModel::Coupling &one, const Reference &acting);
+    /// By node, the terms of the components of the force on it, formulas.
+    using Forces = std::map<unsigned int, std::array<std::vector<std::string>, 3>>;
+    void
+    add_forces_on_nodes(const std::string              &of,
+                        const Forces                   &forces,
+                        const std::vector<std::string> &names);
     double
     mean_distance(const DeckModel::Coupling &one) const;
     bool
@@ -175,8 +189,12 @@ namespace Signorini
     sector_keys(const DeckModel::Pair &pair) const;
     dealii::Point<3>
     middle_of(const std::string &surface) const;
+    std::vector<std::pair<std::string, std::string>>
+    interaction_keys(const DeckModel::Interaction &one) const;
     void
     divide_by_times(const DeckModel::Pair  &pair,
+                    double                  begin,
+                    double                  end,
                     SetNames               &names,
                     std::vector<SceneItem> &items) const;
     std::string
@@ -209,8 +227,8 @@ namespace Signorini
     std::set<double> kinks;
     /// Pairs of rigid couplings, loads of distributing ones.
     std::vector<SceneItem> coupled_pairs, coupled_loads;
-    /// Nodes whose displacements are right-hand sides of equations.
-    std::set<unsigned int> nodes_of_values;
+    /// Nodes on no body whose motions or forces equations contain.
+    std::set<unsigned int> nodes_in_equations;
     /// Supports that begin in a later step, with their times.
     std::vector<std::pair<std::string, double>> late_supports;
   };
