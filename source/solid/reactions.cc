@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/reactions.h"
 
+#include "solid/cell_forces.h"
 #include "solid/cell_nodes.h"
-#include "solid/deformation_kernel.h"
 #include "solid/kernel.h"
 #include "solid/pressure_kernel.h"
-#include "solid/volume_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -16,81 +15,6 @@ namespace Signorini
 
   namespace
   {
-    /// The internal forces of a cell minus its loads, with thermal strain and volumetric stress.
-    template <int dim>
-    class CellForces
-    {
-    public:
-      CellForces(const Elasticity<dim> &e)
-        : elasticity(e)
-        , kernel(e.mesh(), e.finite_elements(), e.model())
-        , of_deformation(e.mesh(),
-                         e.finite_elements(),
-                         e.model(),
-                         &e.volumetric_stress(),
-                         &e.material_history(),
-                         &e.thermal())
-        , thermal_load(e.mesh(), e.finite_elements(), e.thermal(), e.model())
-        , of_volume(e)
-      {}
-
-      /// Internal forces minus loads of a cell; valid until the next call. Forces of thermal strain
-      /// are added to cell_load: they are in equilibrium within the body, so that they are no part
-      /// of the resultant of loads.
-      /// @param ghosted displacement with ghost values
-      /// @param cell_load in: loads of the cell; out: with the forces of thermal strain
-      const Vector<double> &
-      residual(const typename DoFHandler<dim>::active_cell_iterator &cell,
-               const LA::Vector                                     &ghosted,
-               Vector<double>                                       &cell_load)
-      {
-        // Nonlinear bodies have forces from their law, which includes thermal strain and volumetric
-        // stress; linear ones the product of the cell matrix with the displacement.
-        const Material &material = elasticity.material(cell->material_id());
-        values.reinit(cell->get_fe().n_dofs_per_cell());
-        cell->get_dof_values(ghosted, values);
-        if (elasticity.is_nonlinear())
-          of_deformation.assemble(cell, material, values, force);
-        else
-          {
-            kernel.assemble(cell, material, matrix);
-            force.reinit(matrix.m());
-            matrix.vmult(force, values);
-            add_volumetric_stress(cell);
-          }
-        if (!material.constitutive_law)
-          thermal_load.add(cell, material, cell_load);
-        force -= cell_load;
-        return force;
-      }
-
-    private:
-      /// Small strain: add B_m^T m, the forces of the volumetric stress (doc/theory, (6.20)).
-      void
-      add_volumetric_stress(const typename DoFHandler<dim>::active_cell_iterator &cell)
-      {
-        if (!elasticity.volumetric_stress().is_on(*cell))
-          return;
-        // Only the derivative is used here: row k is the integral of function k times the
-        // divergence of each shape function.
-        of_volume.assemble(cell, values, changes, &slopes);
-        const auto &m = elasticity.volumetric_stress().coefficients(*cell);
-        for (unsigned int k = 0; k < m.size(); ++k)
-          for (unsigned int i = 0; i < force.size(); ++i)
-            force(i) += m[k] * slopes(k, i);
-      }
-
-      const Elasticity<dim> &elasticity;
-      StiffnessKernel<dim>   kernel;
-      DeformationKernel<dim> of_deformation;
-      ThermalLoad<dim>       thermal_load;
-      VolumeKernel<dim>      of_volume;
-      FullMatrix<double>     matrix, slopes;
-      Vector<double>         values, force, changes;
-    };
-
-
-
     /// Sums of the forces and moments of loads and supports, by support and by body.
     template <int dim>
     class Sums
@@ -199,7 +123,7 @@ namespace Signorini
     Sums<dim>::add_loads()
     {
       LA::Vector                   residual = elasticity.zero_vector();
-      CellForces                   forces(elasticity);
+      CellForces<dim>              forces(elasticity);
       const std::vector<Load<dim>> dead = dead_loads(elasticity);
       LoadKernel<dim>              load_kernel(elasticity.mesh(),
                                   elasticity.finite_elements(),
