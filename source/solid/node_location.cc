@@ -248,6 +248,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template class ListedNodes<dim>;                                                                 \
   template bool               descend(const CellId &, Point<dim> &);                               \
+  template Point<dim>         in_coarse_cell(const CellId &, const Point<dim> &);                  \
   template PointLocation<dim> locate(const Mesh<dim> &,                                            \
                                      const Point<dim> &,                                           \
                                      const std::string &,                                          \
