@@ -121,6 +121,7 @@ def forces(results):
             "Friction",
         ),
         supports(results, step, at),
+        cross_sections(results, step, at),
         stresses(results, step, at),
         probes(results, step, at),
     )
@@ -160,6 +161,22 @@ def supports(results, step, at):
         rows,
         "Reactions, obstacles and loads",
     )
+
+
+def cross_sections(results, step, at):
+    force = step.get("largest_force", 0)
+    rows = []
+    for name in step.get("cross_sections", {}):
+        here = (*at, "cross_sections", name)
+        rows.append(
+            (
+                name,
+                entry(results, *here, "force", scale=force),
+                entry(results, *here, "normal_force", scale=force),
+                entry(results, *here, "moment"),
+            )
+        )
+    return table(("cross section", "force", "along its normal (tension positive)", "moment"), rows, "Cross sections")
 
 
 def stresses(results, step, at):

@@ -58,6 +58,13 @@ namespace Signorini
       return my_seconds;
     }
 
+    /// True if there are none. Collective.
+    bool
+    empty() const
+    {
+      return names().empty();
+    }
+
     /// Remove all checkpoints, at the end of a run. Collective.
     void
     remove();

@@ -60,7 +60,7 @@ namespace Signorini
   Origin
   origin_of(const std::string &name, const std::string &scene)
   {
-    Origin             result{name, scene, {}};
+    Origin             result{name, scene, {}, 0};
     std::istringstream text(scene);
     add_files(read_raw(text, name), result.files);
     return result;
@@ -71,7 +71,10 @@ namespace Signorini
   void
   write_origin(const std::string &directory, const Origin &origin)
   {
-    const Json json = {{"name", origin.name}, {"files", origin.files}, {"scene", origin.scene}};
+    const Json json = {{"name", origin.name},
+                       {"files", origin.files},
+                       {"scene", origin.scene},
+                       {"continues", origin.continues}};
     write_sealed(file_in(directory) + ".part", json.dump());
     std::filesystem::rename(file_in(directory) + ".part", file_in(directory));
     sync_folder(directory);
@@ -91,7 +94,10 @@ namespace Signorini
     try
       {
         const Json json = Json::parse(read_sealed(file_in(directory)));
-        result          = {json.at("name"), json.at("scene"), json.at("files")};
+        result          = {json.at("name"),
+                           json.at("scene"),
+                           json.at("files"),
+                           json.value("continues", std::uint32_t(0))};
       }
     catch (const std::exception &error)
       {
@@ -115,16 +121,41 @@ namespace Signorini
 
 
 
-  void
-  check_change(const std::string &assignment)
+  namespace
+  {
+    /// True if a text ends with another one.
+    bool
+    ends_with(const std::string &text, const std::string &end)
+    {
+      return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+    }
+  } // namespace
+
+
+
+  bool
+  is_of_further_steps(const std::string &assignment)
   {
     const std::string section = assignment.substr(0, assignment.find('/')),
-                      key     = assignment.substr(0, assignment.find('='));
+                      key     = trim(assignment.substr(0, assignment.find('=')));
+    return section == "Loads" || section == "Supports" || section == "Load steps" ||
+           (section == "Contact pairs" &&
+            (ends_with(key, "/Start time") || ends_with(key, "/End time")));
+  }
+
+
+
+  void
+  check_change(const std::string &assignment, const bool is_finished)
+  {
+    const std::string section = assignment.substr(0, assignment.find('/')),
+                      key     = trim(assignment.substr(0, assignment.find('=')));
     if (section != "Newton" && section != "Solver" && section != "Output" &&
-        key != "Load steps/Cut-backs")
+        key != "Load steps/Cut-backs" && !(is_finished && is_of_further_steps(assignment)))
       refuse("--set " + key +
              " would change the problem; a restart may change only keys of Newton, Solver and "
-             "Output, and Load steps/Cut-backs");
+             "Output, and Load steps/Cut-backs; after a finished run also Loads, Supports, Load "
+             "steps, and times of Contact pairs");
     if (key == "Output/Directory")
       throw SceneError(
         "--restart: --set Output/Directory is not possible, because a restarted run "

@@ -16,6 +16,9 @@ namespace Signorini
     std::string scene;
     /// Checksums of the files that the scene names (meshes, STL), by path.
     std::map<std::string, std::uint32_t> files;
+    /// Of a scene that adds load steps to a finished run: the checksum of the origin of that run;
+    /// otherwise zero.
+    std::uint32_t continues = 0;
   };
 
   /// @return the origin of a run. Throws SceneError if a file that the scene names cannot be read.
@@ -41,9 +44,15 @@ namespace Signorini
   std::uint32_t
   checksum_of_origin(const std::string &directory);
 
+  /// @return whether a key defines what happens in further load steps: loads, supports, times of
+  /// contact pairs, and load steps.
+  /// @param assignment "Section/Key=value"
+  bool
+  is_of_further_steps(const std::string &assignment);
+
   /// Throws SceneError for a key that a restart must not change: all except those of Newton, Solver
-  /// and Output, and Load steps/Cut-backs.
+  /// and Output, and Load steps/Cut-backs; and, after a finished run, those of further load steps.
   /// @param assignment "Section/Key=value"
   void
-  check_change(const std::string &assignment);
+  check_change(const std::string &assignment, bool is_finished);
 } // namespace Signorini

@@ -7,6 +7,7 @@
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
+#include <algorithm>
 #include <fstream>
 #include <utility>
 
@@ -90,14 +91,54 @@ namespace Signorini
 
 
 
-  std::optional<ExitCode>
-  exit_code_of_finished_run(const std::string &directory, const MPI_Comm comm)
+  namespace
   {
-    std::ifstream file(directory + "/results.json");
-    const Json    results = Json::parse(file, nullptr, false);
-    if (!results.is_object() || !results.value("complete", false))
+    /// The results of a finished run, which has load steps; null if there are none.
+    Json
+    results_of_finished_run(const std::string &directory)
+    {
+      std::ifstream file(directory + "/results.json");
+      const Json    results = Json::parse(file, nullptr, false);
+      return results.is_object() && results.value("complete", false) &&
+                 !results.at("load_steps").empty() ?
+               results :
+               Json();
+    }
+  } // namespace
+
+
+
+  std::optional<double>
+  end_of_finished_run(const std::string &directory)
+  {
+    const Json results = results_of_finished_run(directory);
+    if (results.is_null())
       return {};
-    Checkpoints(directory, comm).remove();
+    return results.at("load_steps").back().at("time").get<double>();
+  }
+
+
+
+  template <int dim>
+  std::optional<ExitCode>
+  exit_code_of_finished_run(const Scene<dim> &scene, const MPI_Comm comm)
+  {
+    const std::string &directory = scene.output.directory;
+    const Json         results   = results_of_finished_run(directory);
+    if (results.is_null())
+      return {};
+    Checkpoints  checkpoints(directory, comm);
+    const double end = scene.load_steps.ends().back();
+    if (end > results.at("load_steps").back().at("time").get<double>())
+      {
+        if (checkpoints.empty())
+          throw SceneError("--restart " + directory + ": Load steps/End time = " + short_text(end) +
+                           " is beyond the end of the finished run, which has left no checkpoint; "
+                           "solve the scene with Output/Keep checkpoint = yes");
+        return {};
+      }
+    if (!scene.output.keep_checkpoint)
+      checkpoints.remove();
     return static_cast<ExitCode>(results.at("exit_code").get<int>());
   }
 
@@ -139,6 +180,31 @@ namespace Signorini
     scene_checksum = Utilities::MPI::broadcast(comm, scene_checksum);
     if (run_origin == RunOrigin::checkpoint)
       find_former();
+    if (const auto end = end_of_finished_run(recorder.directory()); former && end)
+      add_load_steps(*end);
+  }
+
+
+
+  // The scene with the further load steps takes the place of the former one, whose checkpoint stays
+  // valid for it. Meshes that errors have led to are not refined again.
+  template <int dim>
+  void
+  RunCheckpoints<dim>::add_load_steps(const double end)
+  {
+    out << "  further load steps after t = " << end
+        << ": up to there, loads and supports are those that were solved" << std::endl;
+    position.cycle = std::max(position.cycle, problem.decisions.scene.maximum_cycles());
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      {
+        Origin origin =
+          origin_of(problem.decisions.scene.name, text_with_defaults(problem.decisions));
+        origin.continues = scene_checksum;
+        write_origin(recorder.directory(), origin);
+        scene_checksum = checksum_of_origin(recorder.directory());
+      }
+    scene_checksum = Utilities::MPI::broadcast(comm, scene_checksum);
+    recorder.write_scene("");
   }
 
 
@@ -154,8 +220,9 @@ namespace Signorini
         recorder.restore({});
         return;
       }
-    const Json &head = former->head;
-    if (head.at("origin") != scene_checksum)
+    const Json         &head   = former->head;
+    const std::uint32_t of_run = head.at("origin");
+    if (of_run != scene_checksum && of_run != read_origin(recorder.directory()).continues)
       throw SceneError(
         "--restart " + recorder.directory() + ": " + former->name +
         " and restart.scene belong to different runs; solve the scene from the start");
@@ -269,7 +336,8 @@ namespace Signorini
         head["friction_bound_at_start"] = problem.state.start.friction_bound;
       }
     last = Passed{problem.state, head};
-    if (position.cycle + position.step == 0 || std::exchange(my_is_restored, false) || is_finished)
+    if (position.cycle + position.step == 0 || std::exchange(my_is_restored, false) ||
+        (is_finished && !problem.decisions.scene.output.keep_checkpoint))
       // Nothing has been solved that a restart would lose.
       return;
 
@@ -333,6 +401,10 @@ namespace Signorini
 
 
 
+  template std::optional<ExitCode>
+  exit_code_of_finished_run(const Scene<2> &, MPI_Comm);
+  template std::optional<ExitCode>
+  exit_code_of_finished_run(const Scene<3> &, MPI_Comm);
   template class RunCheckpoints<2>;
   template class RunCheckpoints<3>;
 } // namespace Signorini

@@ -38,12 +38,20 @@ namespace Signorini
     PathControl::Budget path;
   };
 
-  /// @return the exit code of the run in an output directory, if that run is finished. A finished
-  /// run has complete results; any other content of the file counts as unfinished. Checkpoints that
-  /// it has left, because it was killed after its last results, are removed. Collective.
+  /// @return the end of the load history of the run in an output directory, if that run is
+  /// finished. A finished run has complete results; any other content of the file counts as
+  /// unfinished.
   /// @param directory of the run
+  std::optional<double>
+  end_of_finished_run(const std::string &directory);
+
+  /// @return the exit code of the run in the output directory of a scene, if that run is finished
+  /// and the scene has no load steps beyond. Checkpoints that it has left, because it was killed
+  /// after its last results, are removed. Throws SceneError if there are further load steps, but no
+  /// checkpoint. Collective.
+  template <int dim>
   std::optional<ExitCode>
-  exit_code_of_finished_run(const std::string &directory, MPI_Comm comm);
+  exit_code_of_finished_run(const Scene<dim> &scene, MPI_Comm comm);
 
   /// The checkpoints of one run: reads that from which the run is continued, and writes those from
   /// which it can be. All functions are collective unless they only return a value.
@@ -141,6 +149,9 @@ namespace Signorini
     /// Find the checkpoint of a restart, and compare it with the stored scene.
     void
     find_former();
+    /// Store the scene of further load steps after a finished run. @param end of that run
+    void
+    add_load_steps(double end);
     /// Write a checkpoint of the last state. If the disk is full the previous one is kept.
     void
     write();

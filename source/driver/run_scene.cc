@@ -26,7 +26,15 @@ namespace Signorini
             read_scene<dim>(raw, name, std::filesystem::path(task.scene).parent_path().string()))
         , only_check(task.only_check)
         , origin(task.restart.empty() ? RunOrigin::scene_file : RunOrigin::checkpoint)
-      {}
+      {
+        // What was solved cannot change any more.
+        const auto end = task.restart.empty() ? std::nullopt : end_of_finished_run(task.restart);
+        for (const std::string &assignment : task.overrides)
+          if (end && is_of_further_steps(assignment) && scene.load_steps.ends().back() <= *end)
+            throw SceneError("--restart " + task.restart + ": --set " + assignment +
+                             " is for load steps after t = " + short_text(*end) +
+                             ", where the run has ended; set a later Load steps/End time");
+      }
 
       ExitCode
       run(const MPI_Comm comm, std::ostream &out) const override
@@ -55,7 +63,7 @@ namespace Signorini
       std::istringstream text(origin.scene);
       RawSection         raw = read_raw(text, task.restart + "/restart.scene");
       for (const std::string &assignment : task.overrides)
-        check_change(assignment);
+        check_change(assignment, end_of_finished_run(task.restart).has_value());
       override_value(raw, "Output/Directory=" + task.restart);
       return {raw, origin.name};
     }

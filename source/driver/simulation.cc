@@ -79,7 +79,7 @@ namespace Signorini
   {
     const bool is_restart = origin == RunOrigin::checkpoint;
     if (is_restart)
-      if (const auto code = exit_code_of_finished_run(scene.output.directory, comm))
+      if (const auto code = exit_code_of_finished_run(scene, comm))
         {
           out << "The run in " << scene.output.directory << " is finished, with exit code " << *code
               << ": nothing was done." << std::endl;
@@ -243,65 +243,6 @@ namespace Signorini
 
 
 
-  // Probes must be inside of bodies and expected results must name entries that results will have;
-  // both are found by evaluating the outputs of the undeformed state.
-  template <int dim>
-  void
-  Simulation<dim>::check_requests()
-  {
-    // On a mesh that is still to be refined, curved surfaces are not yet at their final positions.
-    const bool is_final = scene.maximum_cycles() == 0;
-    check_probes(*problem.elasticity,
-                 problem.decisions.pairs,
-                 scene.output.probes,
-                 is_final ? probe_tolerance : 0.5);
-    if (scene.expected.empty())
-      return;
-    const ContactState  nothing = open_contact(problem.contact->gap_operator());
-    const LA::Vector    gap     = problem.contact->gap_operator().gap(problem.state.displacement);
-    const Snapshot<dim> start{*problem.elasticity,
-                              problem.decisions.pairs,
-                              problem.contact->surfaces(),
-                              problem.contact->gap_operator(),
-                              problem.state.displacement,
-                              gap,
-                              nothing.pressure(),
-                              nothing.status,
-                              nothing,
-                              problem.state.friction_work,
-                              problem.state.start.friction_bound,
-                              scene.load_steps.ends().front(),
-                              0};
-    Json                step =
-      results_at(scene, start, is_final ? scene.output.probes : std::vector<Probe<dim>>());
-    for (const char *number :
-         {"time", "newton_iterations", "active_points", "residual", "multigrid_cycles"})
-      step[number] = 0;
-    std::vector<std::string> whole{"ranks",
-                                   "dimension",
-                                   "cycles",
-                                   "load_steps",
-                                   "cells",
-                                   "dofs",
-                                   "degrees",
-                                   "multiplier_dofs",
-                                   "contact_faces",
-                                   "contact_candidates",
-                                   "contact_bytes",
-                                   "seconds",
-                                   "partition",
-                                   "peak_memory_mb",
-                                   "preflight",
-                                   "linear_reference",
-                                   "contact_geometry",
-                                   "deformation"};
-    if (!is_final)
-      whole.push_back("probes");
-    check_paths(scene.expected, step, whole);
-  }
-
-
-
   template <int dim>
   bool
   Simulation<dim>::is_finished() const
@@ -402,14 +343,14 @@ namespace Signorini
                         problem.contact->gap_operator(),
                         problem.contact->skipped_items());
     std::ostringstream text;
-    if (!end.converged)
+    if (!end.converged || scene.output.keep_checkpoint)
       checkpoints->write_last();
     if (!end.converged && !is_interrupted)
       if (const auto last = problem.equilibrium->failure(position.step + 1))
         recorder->add_failure(*last, end);
     const ExitCode code = recorder->finish(end, text, is_interrupted);
     // The checkpoints are removed only after the results say that the run is complete.
-    if (end.converged)
+    if (end.converged && !scene.output.keep_checkpoint)
       checkpoints->remove();
     out << text.str() << "\n"
         << seconds(clock.wall_time()) << ", results in " << recorder->directory()

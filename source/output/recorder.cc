@@ -53,6 +53,7 @@ namespace Signorini
     Json one = {{"pairs", pair_results(now)}};
     one.update(force_results(now, scene.newton.tolerance));
     one["probes"]                  = probe_results(now, probes);
+    one["cross_sections"]          = section_results(now, scene.output.cross_sections);
     const SolutionErrors deviation = errors(now, scene.known);
     if (!scene.known.displacement.empty())
       {
@@ -90,16 +91,24 @@ namespace Signorini
   {
     if (is_restart)
       return;
-    if (Utilities::MPI::this_mpi_process(comm) == 0)
-      {
-        // The mark is the first line, by which the file is recognised as one of this program.
-        std::string text = text_with_defaults(decisions);
-        if (!remark.empty())
-          text.insert(mark_of_scene_file().size(), "# " + remark + "\n");
-        replace_file(path + "/scene.prm", text);
-      }
+    write_scene(remark);
     begin();
     write();
+  }
+
+
+
+  // The mark is the first line, by which the file is recognised as one of this program.
+  template <int dim>
+  void
+  Recorder<dim>::write_scene(const std::string &remark) const
+  {
+    if (Utilities::MPI::this_mpi_process(comm) != 0)
+      return;
+    std::string text = text_with_defaults(decisions);
+    if (!remark.empty())
+      text.insert(mark_of_scene_file().size(), "# " + remark + "\n");
+    replace_file(path + "/scene.prm", text);
   }
 
 

@@ -66,6 +66,11 @@ namespace Signorini
     const Json &
     save();
 
+    /// Write scene.prm, the scene with all defaults. Throws OutputError.
+    /// @param remark a comment at its top; empty: none
+    void
+    write_scene(const std::string &remark) const;
+
     /// @return the path of the output directory.
     const std::string &
     directory() const

@@ -4,6 +4,7 @@
 #include "fields/probes.h"
 #include "fields/snapshot.h"
 #include "output/json.h"
+#include <signorini/fields/cross_section.h>
 
 #include <vector>
 
@@ -60,6 +61,14 @@ namespace Signorini
   template <int dim>
   Json
   probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes);
+
+  /// @return force, its component along the normal (tension positive), and moment of each cross
+  /// section. Collective.
+  /// @param snapshot the solution
+  /// @param sections of the scene
+  template <int dim>
+  Json
+  section_results(const Snapshot<dim> &snapshot, const std::vector<CrossSection<dim>> &sections);
 
   /// @return the entries of results.json of a pair with friction: force, stick zone, the largest
   /// tangential traction, slips, the work that friction takes from the bodies, and the violations

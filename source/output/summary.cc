@@ -62,6 +62,9 @@ namespace Signorini
       out << "  obstacle " << name << ":  moved by " << numbers(obstacle["displacement"])
           << ", rotated by " << numbers(obstacle["rotation"]) << ", force "
           << numbers(obstacle["force"]) << ", moment " << numbers(obstacle["moment"]) << "\n";
+    for (const auto &[name, section] : step["cross_sections"].items())
+      out << "  cross section " << name << ":  force " << numbers(section["force"]) << ", moment "
+          << numbers(section["moment"]) << "\n";
     if (step.contains("stabilised_modes"))
       for (const auto &name : step["stabilised_modes"]["names"])
         out << "  unconstrained mode: " << name.get<std::string>()

@@ -34,6 +34,11 @@ namespace Signorini
       "by time [minutes of wall time]",
       non_negative);
     section.add(
+      "Keep checkpoint",
+      keep_checkpoint,
+      "yes or no: keep the last checkpoint of a finished run, from which --restart with a "
+      "later Load steps/End time continues, with other loads and supports");
+    section.add(
       "Time limit",
       time_limit,
       "the run ends before this time with a checkpoint and exit code 5; 0: none [minutes of "
@@ -43,6 +48,10 @@ namespace Signorini
       "Probes",
       probes,
       "Points, or lines of points, at which displacement and stress in bodies, or pressure and gap on contact pairs are reported.");
+    section.add_named(
+      "Cross sections",
+      cross_sections,
+      "Planes through bodies across which force and moment are reported, as of bolts and beams.");
   }
 
 

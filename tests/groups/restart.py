@@ -47,6 +47,8 @@ def check_same(test, folder, undisturbed):
         for name, pair in a["pairs"].items():
             other = b["pairs"][name]
             test.check(abs(pair["normal_force"] - other["normal_force"]) <= 1e-7 * largest, f"force at t = {a['time']:g}")
+            for x, y in zip(pair.get("friction_force", []), other.get("friction_force", [])):
+                test.check(abs(x - y) <= 1e-6 * largest, f"friction at t = {a['time']:g}")
             test.check(abs(pair["max_pressure"] / other["max_pressure"] - 1) <= 1e-6, f"pressure at t = {a['time']:g}")
 
 
@@ -122,7 +124,8 @@ def refused(test):
     ends(test, scene, 4)
     ends(test, ["--restart", folder], 4, "is finished, with exit code 4: nothing was done")
     ends(test, ["--restart", folder, scene[0]], 2, "continues the scene of that directory")
-    ends(test, ["--restart", folder, "--set", "Load steps/Number=7"], 2, "would change the problem")
+    ends(test, ["--restart", folder, "--set", "Mesh/Degree=2"], 2, "would change the problem")
+    ends(test, ["--restart", folder, "--set", "Load steps/Number=7"], 2, "set a later Load steps/End time")
     origin = folder / "restart.scene"
     origin.write_bytes(origin.read_bytes()[:-1])
     ends(test, ["--restart", folder], 2, "does not have the length that it records")
@@ -148,6 +151,67 @@ def failed_step(test):
     test.check(not drawn.exists() and "failed_step" not in results_in(folder), "the failure is still told")
 
 
+PULLED_BLOCK = """set Dimension = 2
+subsection Bodies
+  set Names = block
+  subsection block
+    set Mesh            = box
+    set Corners         = 0,0 : 2,1
+    set Subdivisions    = 8,4
+    set Young's modulus = 1000
+    set Poisson's ratio = 0.3
+  end
+end
+subsection Obstacles
+  set Names = ground
+end
+subsection Loads
+  set Names = press, pull
+  subsection press
+    set Boundaries = block.top
+    set Pressure   = 10*min(4*t, 1)
+  end
+  subsection pull
+    set Boundaries = block.right
+    set Traction   = 3*t; 0
+  end
+end
+subsection Contact pairs
+  set Names = foot
+  subsection foot
+    set Slave    = block.bottom
+    set Master   = ground
+    set Friction = 0.4
+  end
+end
+subsection Load steps
+  set Number = 4
+end
+"""
+
+
+def further_steps(test):
+    """Load steps after a finished run, with other loads: as in one run with all of them, also if that is interrupted."""
+    folder, whole = folder_of(test), folder_of(test) / "whole"
+    scene = folder_of(test) / "block.prm"
+    scene.parent.mkdir(parents=True, exist_ok=True)
+    scene.write_text(PULLED_BLOCK)
+    pulled, keep = "Loads/pull/Traction=if(t <= 1, 3*t, 6 - 3*t); 0", ["--set", "Output/Keep checkpoint=yes"]
+    end, number = "Load steps/End time=2", "Load steps/Number=8"
+    ends(test, [scene, "--set", end, "--set", number, "--set", pulled, "--set", f"Output/Directory={whole}"], 0)
+    ends(test, [scene, "--set", "Load steps/Number=4", "--set", f"Output/Directory={folder}"], 0)
+    more = ["--restart", folder, "--set", end, "--set", number, "--set", pulled]
+    ends(test, more, 2, "which has left no checkpoint")
+    ends(test, [scene, *keep, "--set", "Load steps/Number=4", "--set", f"Output/Directory={folder}"], 0)
+    ends(test, ["--restart", folder, "--set", pulled], 2, "set a later Load steps/End time")
+    ends(test, ["--restart", folder, "--set", "Bodies/block/Young's modulus=1", "--set", end], 2, "would change the problem")
+    ends(test, ["--restart", folder], 0, "nothing was done")
+    # Before the first of the further steps is done, and after one of them.
+    ends(test, [*more, "--set", "Output/Time limit=1e-6"], 5)
+    ends(test, ["--restart", folder, "--set", "Output/Time limit=0"], 0, "Restart from", ranks=2)
+    check_same(test, folder, whole)
+
+
 def cases():
     yield Case("restart", "kills/np1", kills("1", 4))
     yield Case("restart", "kills/np4", kills("4,1,2", 4), 4, {"full"})
@@ -161,4 +225,5 @@ def cases():
     yield Case("restart", "time-limit", time_limit)
     yield Case("restart", "refused", refused)
     yield Case("restart", "kills/locked", kills("1,2", 2, PRM / "bolted-joint.prm", []), 2, {"full"})
+    yield Case("restart", "further-steps", further_steps, 2)
     yield Case("restart", "failed-step", failed_step)

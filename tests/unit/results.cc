@@ -131,6 +131,7 @@ namespace
                                                          {"degrees", "BODY"},
                                                          {"load_steps/N/bodies", "BODY"},
                                                          {"load_steps/N/probes", "PROBE"},
+                                                         {"load_steps/N/cross_sections", "SECTION"},
                                                          {"preflight/bodies", "BODY"},
                                                          {"preflight/bodies/BODY/boundaries",
                                                           "BOUNDARY"},
@@ -261,7 +262,8 @@ namespace
     "stabilise\nend\nsubsection Load steps\nset Number = 2\nend\nsubsection Output\nsubsection "
     "Probes\nset Names = middle, across\nsubsection middle\nset Body = lower\nset Point = 2, "
     "0.5\nend\nsubsection across\nset Pair = joint\nset Point = 1, 1\nset End = 2, 1\nset Points = "
-    "3\nend\nend\nend\n";
+    "3\nend\nend\nsubsection Cross sections\nset Names = cut\nsubsection cut\nset Bodies = lower\nset Point = 2, "
+    "0.5\nset Normal = 0, 1\nend\nend\nend\n";
 
   std::string
   replaced(std::string text, const std::string &old, const std::string &by)

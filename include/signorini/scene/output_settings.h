@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <signorini/fields/cross_section.h>
 #include <signorini/fields/probe.h>
 
 #include <string>
@@ -22,9 +23,12 @@ namespace Signorini
     unsigned int checkpoint_steps = 0;
     /// Time between checkpoints [minutes of wall time]; 0: not by time.
     double checkpoint_minutes = 10;
+    /// Whether the last checkpoint of a finished run is kept, for further load steps.
+    bool keep_checkpoint = false;
     /// Limit of the run [minutes of wall time]; 0: none.
-    double                  time_limit = 0;
-    std::vector<Probe<dim>> probes;
+    double                         time_limit = 0;
+    std::vector<Probe<dim>>        probes;
+    std::vector<CrossSection<dim>> cross_sections;
 
     /// Declare the keys and read their values. Throws SceneError.
     /// @param section `Output`

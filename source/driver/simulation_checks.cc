@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user wants to know must exist, which is checked before anything is solved.
+#include "driver/simulation.h"
+#include "fields/cross_sections.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  // Probes must be inside of bodies, planes must cut them, and expected results must name entries
+  // that results will have, which is found by evaluating the outputs of the undeformed state.
+  template <int dim>
+  void
+  Simulation<dim>::check_requests()
+  {
+    // On a mesh that is still to be refined, curved surfaces are not yet at their final positions.
+    const bool is_final = scene.maximum_cycles() == 0;
+    check_probes(*problem.elasticity,
+                 problem.decisions.pairs,
+                 scene.output.probes,
+                 is_final ? probe_tolerance : 0.5);
+    check_cross_sections(*problem.elasticity, scene.output.cross_sections);
+    if (scene.expected.empty())
+      return;
+    const ContactState  nothing = open_contact(problem.contact->gap_operator());
+    const LA::Vector    gap     = problem.contact->gap_operator().gap(problem.state.displacement);
+    const Snapshot<dim> start{*problem.elasticity,
+                              problem.decisions.pairs,
+                              problem.contact->surfaces(),
+                              problem.contact->gap_operator(),
+                              problem.state.displacement,
+                              gap,
+                              nothing.pressure(),
+                              nothing.status,
+                              nothing,
+                              problem.state.friction_work,
+                              problem.state.start.friction_bound,
+                              scene.load_steps.ends().front(),
+                              0};
+    Json                step =
+      results_at(scene, start, is_final ? scene.output.probes : std::vector<Probe<dim>>());
+    for (const char *number :
+         {"time", "newton_iterations", "active_points", "residual", "multigrid_cycles"})
+      step[number] = 0;
+    std::vector<std::string> whole{"ranks",
+                                   "dimension",
+                                   "cycles",
+                                   "load_steps",
+                                   "cells",
+                                   "dofs",
+                                   "degrees",
+                                   "multiplier_dofs",
+                                   "contact_faces",
+                                   "contact_candidates",
+                                   "contact_bytes",
+                                   "seconds",
+                                   "partition",
+                                   "peak_memory_mb",
+                                   "preflight",
+                                   "linear_reference",
+                                   "contact_geometry",
+                                   "deformation"};
+    if (!is_final)
+      whole.push_back("probes");
+    check_paths(scene.expected, step, whole);
+  }
+
+
+
+  template void
+  Simulation<2>::check_requests();
+  template void
+  Simulation<3>::check_requests();
+} // namespace Signorini
