@@ -1193,6 +1193,33 @@ TEST_CASE("import: stabilisation forces are to be checked where supports are lef
 
 
 
+// The second of three cubes on each other is removed, and with it what connects the others.
+TEST_CASE("import: elements that are removed in the first step are not in the mesh")
+{
+  const auto with = [](const std::string &first, const std::string &second) {
+    const std::string step = "*STEP\n*STATIC\n1., 1.\n", end = "*END STEP\n";
+    std::string       text = "*NODE\n";
+    for (unsigned int k = 0, n = 1; k < 4; ++k)
+      for (const std::string at : {"0, 0, ", "1, 0, ", "1, 1, ", "0, 1, "})
+        text += std::to_string(n++) + ", " + at + std::to_string(k) + "\n";
+    return text + "*ELEMENT, TYPE=C3D8, ELSET=e\n1, 1, 2, 3, 4, 5, 6, 7, 8\n" +
+           "2, 5, 6, 7, 8, 9, 10, 11, 12\n3, 9, 10, 11, 12, 13, 14, 15, 16\n*ELSET, ELSET=out\n2\n" +
+           of_cube + "*SOLID SECTION, ELSET=e, MATERIAL=m\n*BOUNDARY\n1, 1, 3\n" + step + first +
+           end + step + second + end;
+  };
+  const std::string   change = "*MODEL CHANGE, TYPE=ELEMENT, ";
+  const TemporaryFile file(with(change + "REMOVE\nout\n", ""), ".inp");
+  const auto [text, messages] = imported(file.path);
+  CHECK(messages.empty());
+  CHECK(checked<3>(text).bodies.size() == 2);
+  const TemporaryFile back(with(change + "REMOVE\nout\n", change + "ADD\nout\n"), ".inp");
+  const auto [whole, reports] = imported(back.path);
+  CHECK(checked<3>(whole).bodies.size() == 1);
+  says(reports, "*MODEL CHANGE (elements are there at all times)");
+}
+
+
+
 // The faces x = 0 and y = 0 of a cube are a right angle apart about z.
 TEST_CASE("import: cyclic ties are tied pairs with a rotated master")
 {

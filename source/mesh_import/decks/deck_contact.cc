@@ -313,6 +313,9 @@ namespace Signorini
   DeckReader::read_model_change()
   {
     const bool adds = in.has("ADD");
+    // The mesh does not have them.
+    if (upper_case(in.value("TYPE")) == "ELEMENT" && !model.deck.removed_elements.empty())
+      return;
     if (upper_case(in.value("TYPE")) != "CONTACT PAIR" || !in_step || adds == in.has("REMOVE"))
       {
         skip_item("elements are there at all times");

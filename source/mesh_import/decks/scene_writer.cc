@@ -100,7 +100,8 @@ namespace Signorini
       for (const unsigned int e : section.elements)
         // The elements of distributing couplings have a section without any meaning.
         if (const auto &element = model.deck.mesh.elements[e];
-            dimension_of(element.shape) < dim && element.type.compare(0, 5, "DCOUP") != 0)
+            dimension_of(element.shape) < dim && element.type.compare(0, 5, "DCOUP") != 0 &&
+            model.deck.removed_elements.count(e) == 0)
           others.insert(e);
     std::map<std::string, unsigned int> n;
     for (const unsigned int e : others)

@@ -34,7 +34,8 @@ namespace Signorini
     {"ELGEN", &AbaqusReader::generate_elements},
     {"ELCOPY", &AbaqusReader::copy_elements},
     {"NMAP", &AbaqusReader::refuse},
-    {"STEP", &AbaqusReader::complete_scope},
+    {"STEP", &AbaqusReader::begin_step},
+    {"MODEL CHANGE", &AbaqusReader::read_model_change},
     {"SUBSTRUCTURE PATH", &AbaqusReader::refuse},
     {"IMPORT", &AbaqusReader::refuse}};
 
@@ -71,6 +72,7 @@ namespace Signorini
     for (const std::string &section : sections_of_bolts)
       cut(section);
     note_of_other_elements();
+    remove_elements();
     whole.mesh->notes.assign(notes.begin(), notes.end());
     whole.mesh->numbers = whole.nodes.all_numbers();
     deck.mesh           = std::move(*whole.mesh);
@@ -123,6 +125,48 @@ namespace Signorini
     notes.insert("the mesh is cut along '" + section +
                  "', since *PRE-TENSION SECTION names it; its other side is called '" +
                  other_side_of(section) + "'");
+  }
+
+
+
+  void
+  AbaqusReader::begin_step()
+  {
+    complete_scope();
+    ++n_steps;
+  }
+
+
+
+  void
+  AbaqusReader::read_model_change()
+  {
+    if (upper_case(in.value("TYPE")) != "ELEMENT")
+      return;
+    changes_later = changes_later || n_steps != 1 || !in.has("REMOVE");
+    for (Words words; in.next_line(words);)
+      removed.insert(removed.end(), words.begin(), words.end());
+  }
+
+
+
+  // Elements that are there in no step are no cells, but points, which have no volume. Those that
+  // come or go in a later step stay.
+  void
+  AbaqusReader::remove_elements()
+  {
+    if (removed.empty() || changes_later)
+      return;
+    Members elements;
+    for (const std::string &word : removed)
+      whole.elements.append(in, word, elements);
+    for (const unsigned int e : elements)
+      {
+        whole.mesh->elements[e].shape = MeshFile::Shape::point;
+        deck.removed_elements.insert(e);
+      }
+    notes.insert(std::to_string(deck.removed_elements.size()) +
+                 " elements are left out, since *MODEL CHANGE removes them in the first step");
   }
 
 

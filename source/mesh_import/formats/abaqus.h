@@ -21,6 +21,8 @@ namespace Signorini
       instances_of;
     /// Names, in upper case, of the surfaces of contact pairs of which nodes were moved by ADJUST.
     std::set<std::string> adjusted;
+    /// Elements that are left out, since they are removed in the first step and never come back.
+    std::set<unsigned int> removed_elements;
     /// Messages about names and faces in sets and surfaces that do not exist in the file.
     std::vector<std::string> missing;
   };

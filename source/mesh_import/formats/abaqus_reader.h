@@ -137,6 +137,12 @@ namespace Signorini
     void
     read_section_of_bolt();
     void
+    begin_step();
+    void
+    read_model_change();
+    void
+    remove_elements();
+    void
     cut(const std::string &section);
 
     // Parts and instances
@@ -191,7 +197,12 @@ namespace Signorini
     std::unique_ptr<RigidMotion> system;
     std::vector<Adjustment>      adjustments;
     std::vector<std::string>     sections_of_bolts; ///< names of the surfaces
-    std::set<std::string>        notes;
-    unsigned int                 n_element_loads = 0;
+    unsigned int                 n_steps = 0;
+    /// Numbers and sets of elements that are removed in the first step.
+    Words removed;
+    /// Whether elements are added, or removed later.
+    bool                  changes_later = false;
+    std::set<std::string> notes;
+    unsigned int          n_element_loads = 0;
   };
 } // namespace Signorini
