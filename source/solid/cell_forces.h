@@ -27,9 +27,7 @@ namespace Signorini
     /// @param ghosted displacement with ghost values
     /// @param cell_load loads of the cell
     const dealii::Vector<double> &
-    residual(const Cell                   &cell,
-             const LA::Vector             &ghosted,
-             const dealii::Vector<double> &cell_load);
+    residual(const Cell &cell, const LA::Vector &ghosted, const dealii::Vector<double> &cell_load);
 
   private:
     /// Small strain: add B_m^T m, the forces of the volumetric stress (doc/theory, (6.20)).
