@@ -174,9 +174,11 @@ def cross_sections(results, step, at):
                 entry(results, *here, "force", scale=force),
                 entry(results, *here, "normal_force", scale=force),
                 entry(results, *here, "moment"),
+                entry(results, *here, "uncertainty", scale=force),
             )
         )
-    return table(("cross section", "force", "along its normal (tension positive)", "moment"), rows, "Cross sections")
+    head = ("cross section", "force", "along its normal (tension positive)", "moment", "known up to a force of")
+    return table(head, rows, "Cross sections")
 
 
 def stresses(results, step, at):

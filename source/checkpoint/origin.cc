@@ -60,7 +60,7 @@ namespace Signorini
   Origin
   origin_of(const std::string &name, const std::string &scene)
   {
-    Origin             result{name, scene, {}, 0};
+    Origin             result{name, scene, {}, 0, 0.};
     std::istringstream text(scene);
     add_files(read_raw(text, name), result.files);
     return result;
@@ -74,7 +74,8 @@ namespace Signorini
     const Json json = {{"name", origin.name},
                        {"files", origin.files},
                        {"scene", origin.scene},
-                       {"continues", origin.continues}};
+                       {"continues", origin.continues},
+                       {"begin", origin.begin}};
     write_sealed(file_in(directory) + ".part", json.dump());
     std::filesystem::rename(file_in(directory) + ".part", file_in(directory));
     sync_folder(directory);
@@ -97,7 +98,8 @@ namespace Signorini
         result          = {json.at("name"),
                            json.at("scene"),
                            json.at("files"),
-                           json.value("continues", std::uint32_t(0))};
+                           json.value("continues", std::uint32_t(0)),
+                           json.value("begin", 0.)};
       }
     catch (const std::exception &error)
       {

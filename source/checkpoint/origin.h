@@ -19,6 +19,8 @@ namespace Signorini
     /// Of a scene that adds load steps to a finished run: the checksum of the origin of that run;
     /// otherwise zero.
     std::uint32_t continues = 0;
+    /// The time at which that run has ended.
+    double begin = 0;
   };
 
   /// @return the origin of a run. Throws SceneError if a file that the scene names cannot be read.

@@ -7,8 +7,6 @@
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
-#include <algorithm>
-#include <fstream>
 #include <utility>
 
 namespace Signorini
@@ -91,59 +89,6 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    /// The results of a finished run, which has load steps; null if there are none.
-    Json
-    results_of_finished_run(const std::string &directory)
-    {
-      std::ifstream file(directory + "/results.json");
-      const Json    results = Json::parse(file, nullptr, false);
-      return results.is_object() && results.value("complete", false) &&
-                 !results.at("load_steps").empty() ?
-               results :
-               Json();
-    }
-  } // namespace
-
-
-
-  std::optional<double>
-  end_of_finished_run(const std::string &directory)
-  {
-    const Json results = results_of_finished_run(directory);
-    if (results.is_null())
-      return {};
-    return results.at("load_steps").back().at("time").get<double>();
-  }
-
-
-
-  template <int dim>
-  std::optional<ExitCode>
-  exit_code_of_finished_run(const Scene<dim> &scene, const MPI_Comm comm)
-  {
-    const std::string &directory = scene.output.directory;
-    const Json         results   = results_of_finished_run(directory);
-    if (results.is_null())
-      return {};
-    Checkpoints  checkpoints(directory, comm);
-    const double end = scene.load_steps.ends().back();
-    if (end > results.at("load_steps").back().at("time").get<double>())
-      {
-        if (checkpoints.empty())
-          throw SceneError("--restart " + directory + ": Load steps/End time = " + short_text(end) +
-                           " is beyond the end of the finished run, which has left no checkpoint; "
-                           "solve the scene with Output/Keep checkpoint = yes");
-        return {};
-      }
-    if (!scene.output.keep_checkpoint)
-      checkpoints.remove();
-    return static_cast<ExitCode>(results.at("exit_code").get<int>());
-  }
-
-
-
   // The first rank reads or writes the scene, and broadcasts its checksum.
   template <int dim>
   RunCheckpoints<dim>::RunCheckpoints(const RunOrigin          origin,
@@ -180,31 +125,10 @@ namespace Signorini
     scene_checksum = Utilities::MPI::broadcast(comm, scene_checksum);
     if (run_origin == RunOrigin::checkpoint)
       find_former();
-    if (const auto end = end_of_finished_run(recorder.directory()); former && end)
+    if (run_origin != RunOrigin::checkpoint || !former)
+      return;
+    if (const auto end = end_of_finished_run(recorder.directory()))
       add_load_steps(*end);
-  }
-
-
-
-  // The scene with the further load steps takes the place of the former one, whose checkpoint stays
-  // valid for it. Meshes that errors have led to are not refined again.
-  template <int dim>
-  void
-  RunCheckpoints<dim>::add_load_steps(const double end)
-  {
-    out << "  further load steps after t = " << end
-        << ": up to there, loads and supports are those that were solved" << std::endl;
-    position.cycle = std::max(position.cycle, problem.decisions.scene.maximum_cycles());
-    if (Utilities::MPI::this_mpi_process(comm) == 0)
-      {
-        Origin origin =
-          origin_of(problem.decisions.scene.name, text_with_defaults(problem.decisions));
-        origin.continues = scene_checksum;
-        write_origin(recorder.directory(), origin);
-        scene_checksum = checksum_of_origin(recorder.directory());
-      }
-    scene_checksum = Utilities::MPI::broadcast(comm, scene_checksum);
-    recorder.write_scene("");
   }
 
 
@@ -296,6 +220,8 @@ namespace Signorini
       if (!cycle.at("accuracy").contains("time")) // of the end of the load history
         refinement.control.add(quantities_of(cycle.at("accuracy")));
     refinement.tolerance = head.at("tolerance");
+    if (adds_load_steps)
+      check_past();
     former.reset();
     my_is_restored = true;
   }
@@ -401,10 +327,6 @@ namespace Signorini
 
 
 
-  template std::optional<ExitCode>
-  exit_code_of_finished_run(const Scene<2> &, MPI_Comm);
-  template std::optional<ExitCode>
-  exit_code_of_finished_run(const Scene<3> &, MPI_Comm);
   template class RunCheckpoints<2>;
   template class RunCheckpoints<3>;
 } // namespace Signorini

@@ -40,7 +40,8 @@ namespace Signorini
 
   /// @return the end of the load history of the run in an output directory, if that run is
   /// finished. A finished run has complete results; any other content of the file counts as
-  /// unfinished.
+  /// unfinished. A run to which load steps were added of which none was solved is still finished at
+  /// its former end.
   /// @param directory of the run
   std::optional<double>
   end_of_finished_run(const std::string &directory);
@@ -152,6 +153,10 @@ namespace Signorini
     /// Store the scene of further load steps after a finished run. @param end of that run
     void
     add_load_steps(double end);
+    /// Throws SceneError where the scene of further load steps contradicts the state at which they
+    /// begin. Collective.
+    void
+    check_past() const;
     /// Write a checkpoint of the last state. If the disk is full the previous one is kept.
     void
     write();
@@ -178,6 +183,7 @@ namespace Signorini
       Json  head; ///< the same on all ranks
     };
     std::optional<Passed> last;
+    bool                  adds_load_steps   = false;
     bool                  my_is_restored    = false;
     bool                  my_has_progressed = false;
     double                written_at        = 0; ///< seconds: the last checkpoint

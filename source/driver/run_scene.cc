@@ -33,7 +33,8 @@ namespace Signorini
           if (end && is_of_further_steps(assignment) && scene.load_steps.ends().back() <= *end)
             throw SceneError("--restart " + task.restart + ": --set " + assignment +
                              " is for load steps after t = " + short_text(*end) +
-                             ", where the run has ended; set a later Load steps/End time");
+                             ", where the run has ended; set a later Load steps/End time, or later "
+                             "Load steps/Times where these are set");
       }
 
       ExitCode

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/cross_sections.h"
 
+#include "fields/contact_force.h"
 #include "solid/cell_forces.h"
 #include "solid/cell_nodes.h"
+#include "solid/kernel.h"
+#include "solid/pressure_kernel.h"
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 #include <signorini/fields/probe.h>
@@ -10,6 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <set>
+#include <utility>
 
 namespace Signorini
 {
@@ -106,16 +112,82 @@ namespace Signorini
 
 
 
+    /// The contact forces as tractions at the contact points, and what Nitsche's method adds, which
+    /// is no traction and has no resultant. Collective.
+    template <int dim>
+    std::pair<LA::Vector, LA::Vector>
+    parts_of_contact(const Snapshot<dim> &s)
+    {
+      const PointVectors &p = s.contact_state.traction;
+      PointVectors        stress =
+        s.contact.stress(s.displacement, s.elasticity.volumetric_stress().coefficients());
+      std::copy_n(p.begin(), std::min(p.size(), stress.size()), stress.begin());
+      LA::Vector tractions = s.contact.total_force(p, stress), others = contact_force(s);
+      others -= tractions;
+      return {tractions, others};
+    }
+
+
+
+    /// The sizes of the forces on nodes from loads on a cell.
+    template <int dim>
+    class LoadsOfCells
+    {
+    public:
+      explicit LoadsOfCells(const Elasticity<dim> &e)
+        : dead(dead_loads(e))
+        , of_loads(e.mesh(), e.finite_elements(), e.model(), dead, e.time())
+        , of_pressures(e)
+      {}
+
+      double
+      size(const typename DoFHandler<dim>::active_cell_iterator &cell, const LA::Vector &ghosted)
+      {
+        of_loads.assemble(cell, load);
+        values.reinit(load.size());
+        if (!of_pressures.empty())
+          {
+            cell->get_dof_values(ghosted, values);
+            if (of_pressures.assemble(cell, values, pressure))
+              load += pressure;
+          }
+        double sum = 0;
+        for (unsigned int i = 0; i < load.size(); ++i)
+          if (const auto [component, node] = cell->get_fe().system_to_component_index(i);
+              component == 0)
+            {
+              Tensor<1, dim> force;
+              for (unsigned int d = 0; d < dim; ++d)
+                force[d] = load(cell->get_fe().component_to_system_index(d, node));
+              sum += force.norm();
+            }
+        return sum;
+      }
+
+    private:
+      const std::vector<Load<dim>> dead;
+      LoadKernel<dim>              of_loads;
+      PressureKernel<dim>          of_pressures;
+      Vector<double>               load, values, pressure;
+    };
+
+
+
     /// The internal forces of the cells that a plane cuts, hanging nodes condensed. Collective.
+    /// @param cut_dofs receives the owned degrees of freedom of these cells
+    /// @param loads receives the sizes of the loads on these cells of this rank
     template <int dim>
     LA::Vector
-    forces_of_cut_cells(const Elasticity<dim> &elasticity,
-                        const LA::Vector      &ghosted,
-                        const Cut<dim>        &cut,
-                        CellNodes<dim>        &nodes_of)
+    forces_of_cut_cells(const Elasticity<dim>             &elasticity,
+                        const LA::Vector                  &ghosted,
+                        const Cut<dim>                    &cut,
+                        CellNodes<dim>                    &nodes_of,
+                        std::set<types::global_dof_index> &cut_dofs,
+                        double                            &loads)
     {
       LA::Vector                           result = elasticity.zero_vector();
       CellForces<dim>                      forces(elasticity);
+      LoadsOfCells<dim>                    loads_of(elasticity);
       std::vector<types::global_dof_index> indices;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && cut.cuts(cell, nodes_of(cell)))
@@ -124,6 +196,10 @@ namespace Signorini
             elasticity.hanging_nodes().distribute_local_to_global(forces.internal(cell, ghosted),
                                                                   indices,
                                                                   result);
+            loads += loads_of.size(cell, ghosted);
+            for (const auto i : indices)
+              if (elasticity.owned().is_element(i))
+                cut_dofs.insert(i);
           }
       result.compress(VectorOperation::add);
       return result;
@@ -194,7 +270,11 @@ namespace Signorini
     for (const CrossSection<dim> &section : sections)
       {
         const Cut<dim> cut(elasticity, section);
-        bool           cuts = false;
+        if (elasticity.model() == Model::axisymmetric && cut.normal[0] != 0)
+          throw SceneError(cut.place() +
+                           "/Normal: planes of axisymmetric models are perpendicular to the axis; "
+                           "set Normal = 0, 1");
+        bool cuts = false;
         for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
           cuts = cuts || (cell->is_locally_owned() && cut.cuts(cell, nodes_of(cell)));
         if (!Utilities::MPI::logical_or(cuts, elasticity.mesh().communicator()))
@@ -208,34 +288,43 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Resultant<dim>>
-  section_resultants(const Elasticity<dim>                &elasticity,
-                     const LA::Vector                     &u,
-                     const std::vector<CrossSection<dim>> &sections)
+  std::vector<SectionForce<dim>>
+  section_forces(const Snapshot<dim> &s, const std::vector<CrossSection<dim>> &sections)
   {
-    std::vector<Resultant<dim>> result;
+    std::vector<SectionForce<dim>> result;
     if (sections.empty())
       return result;
-    CellNodes<dim>   nodes_of(elasticity.mesh(), elasticity.finite_elements());
-    const LA::Vector ghosted = elasticity.with_ghosts(u);
+    const Elasticity<dim> &elasticity = s.elasticity;
+    CellNodes<dim>         nodes_of(elasticity.mesh(), elasticity.finite_elements());
+    const LA::Vector       ghosted      = elasticity.with_ghosts(s.displacement);
+    const auto [tractions, no_traction] = parts_of_contact(s);
     for (const CrossSection<dim> &section : sections)
       {
-        const Cut<dim>   cut(elasticity, section);
-        const LA::Vector forces = forces_of_cut_cells(elasticity, ghosted, cut, nodes_of);
-        result.push_back(resultant_beyond(elasticity, ghosted, forces, cut, nodes_of));
+        const Cut<dim>                    cut(elasticity, section);
+        std::set<types::global_dof_index> cut_dofs;
+        double                            sizes = 0;
+        LA::Vector                        forces =
+          forces_of_cut_cells(elasticity, ghosted, cut, nodes_of, cut_dofs, sizes);
+        for (const auto i : cut_dofs)
+          {
+            forces(i) -= no_traction(i);
+            sizes += std::abs(tractions(i));
+          }
+        forces.compress(VectorOperation::add);
+        result.push_back({resultant_beyond(elasticity, ghosted, forces, cut, nodes_of),
+                          Utilities::MPI::sum(sizes, elasticity.mesh().communicator())});
       }
     return result;
   }
 
 
 
-#define INSTANTIATE(dim)                                                                             \
-  template struct CrossSection<dim>;                                                                 \
-  template void                        check_cross_sections(const Elasticity<dim> &,                 \
-                                                            const std::vector<CrossSection<dim>> &); \
-  template std::vector<Resultant<dim>> section_resultants(const Elasticity<dim> &,                   \
-                                                          const LA::Vector &,                        \
-                                                          const std::vector<CrossSection<dim>> &);
+#define INSTANTIATE(dim)                                                                                \
+  template struct CrossSection<dim>;                                                                    \
+  template void                           check_cross_sections(const Elasticity<dim> &,                 \
+                                                               const std::vector<CrossSection<dim>> &); \
+  template std::vector<SectionForce<dim>> section_forces(const Snapshot<dim> &,                         \
+                                                         const std::vector<CrossSection<dim>> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -261,8 +261,8 @@ namespace Signorini
             if (alpha * rise > small)
               warnings.push_back(
                 "body " + name +
-                ": thermal strains exceed 5 %; check the units of Thermal expansion and Temperature, "
-                "or set Deformation = finite");
+                ": thermal strains exceed 5 %; check the units of Thermal expansion and "
+                "Temperature");
           }
     }
   } // namespace

@@ -129,6 +129,12 @@ namespace Signorini
     /// @param time of the load step
     void
     add_targets(const ErrorControl &control, const std::string &why, double time);
+    /// @return the entries of the load steps so far.
+    const Json &
+    load_steps() const
+    {
+      return results["load_steps"];
+    }
     /// @return the entries of all meshes that have been refined.
     const Json &
     cycles() const

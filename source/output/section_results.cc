@@ -11,17 +11,19 @@ namespace Signorini
   Json
   section_results(const Snapshot<dim> &s, const std::vector<CrossSection<dim>> &sections)
   {
-    Json       result     = Json::object();
-    const auto resultants = section_resultants(s.elasticity, s.displacement, sections);
+    Json       result = Json::object();
+    const auto forces = section_forces(s, sections);
     for (unsigned int i = 0; i < sections.size(); ++i)
       {
         const Tensor<1, dim> &normal = sections[i].normal;
         Json                  moment;
         for (unsigned int d = 0; d < RigidBody<dim>::n_rotations; ++d)
-          moment.push_back(resultants[i].moment[d]);
-        result[sections[i].name] = {{"force", list(resultants[i].force)},
-                                    {"normal_force", resultants[i].force * normal / normal.norm()},
-                                    {"moment", moment}};
+          moment.push_back(forces[i].resultant.moment[d]);
+        const Tensor<1, dim> &force = forces[i].resultant.force;
+        result[sections[i].name]    = {{"force", list(force)},
+                                       {"normal_force", force * normal / normal.norm()},
+                                       {"moment", moment},
+                                       {"uncertainty", forces[i].uncertainty}};
       }
     return result;
   }

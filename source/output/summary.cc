@@ -63,8 +63,13 @@ namespace Signorini
           << ", rotated by " << numbers(obstacle["rotation"]) << ", force "
           << numbers(obstacle["force"]) << ", moment " << numbers(obstacle["moment"]) << "\n";
     for (const auto &[name, section] : step["cross_sections"].items())
-      out << "  cross section " << name << ":  force " << numbers(section["force"]) << ", moment "
-          << numbers(section["moment"]) << "\n";
+      {
+        out << "  cross section " << name << ":  force " << numbers(section["force"]) << ", moment "
+            << numbers(section["moment"]) << "\n";
+        if (const double size = section["uncertainty"]; size > 0)
+          out << "    known up to a force of " << size
+              << ", which loads and contact exert on the cells that are cut\n";
+      }
     if (step.contains("stabilised_modes"))
       for (const auto &name : step["stabilised_modes"]["names"])
         out << "  unconstrained mode: " << name.get<std::string>()

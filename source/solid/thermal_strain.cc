@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/thermal_strain.h"
 
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>
@@ -211,7 +212,29 @@ namespace Signorini
             bad.assign(1, cell->center());
         });
         throw_if_invalid(id, t, bad);
+        throw_if_vanishing(id);
       }
+  }
+
+
+
+  // Stretches 1 + alpha_i (T - T_0) must be positive.
+  template <int dim>
+  void
+  ThermalStrain<dim>::throw_if_vanishing(const unsigned int id) const
+  {
+    double least = 0;
+    for_known_cells(mesh, id, [&](const auto &cell) {
+      const Tensor<1, 3> of_axes = strain(*cell, cell->center());
+      for (unsigned int i = 0; i < 3; ++i)
+        least = std::min(least, of_axes[i]);
+    });
+    least = Utilities::MPI::min(least, mesh.communicator());
+    if (least <= -0.9)
+      throw SceneError(
+        expansions[id].place + ": the thermal strain " + short_text(least) +
+        " would leave nothing of the body; correct Thermal expansion, Temperature or "
+        "Reference temperature");
   }
 
 
@@ -361,73 +384,6 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    /// The Gauss rules of the stiffness, one for each element.
-    template <int dim>
-    hp::QCollection<dim>
-    rules_of_stiffness(const hp::FECollection<dim> &elements)
-    {
-      hp::QCollection<dim> rules;
-      for (const auto &fe : elements)
-        rules.push_back(QGauss<dim>(fe.degree + 1));
-      return rules;
-    }
-  } // namespace
-
-
-
-  // The mapping of the cells, not that of the true surface: the forces must be those that stiffness
-  // times free expansion has, so that a heated body without supports gets no stress.
-  template <int dim>
-  ThermalLoad<dim>::ThermalLoad(const Mesh<dim>             &mesh,
-                                const hp::FECollection<dim> &elements,
-                                const ThermalStrain<dim>    &thermal,
-                                const Model                  model)
-    : thermal(thermal)
-    , model(model)
-    , all_values(mesh.mappings(),
-                 elements,
-                 rules_of_stiffness(elements),
-                 update_values | update_gradients | update_quadrature_points | update_JxW_values)
-  {}
-
-
-
-  // int (C : eps_T) : eps(v) dV with the quadrature of the stiffness, so that both cancel for free
-  // expansion.
-  template <int dim>
-  bool
-  ThermalLoad<dim>::add(const DofCell &cell, const Material &material, Vector<double> &cell_load)
-  {
-    if (!thermal.expands(cell->material_id()))
-      return false;
-    const Tensor<1, 3> stress = thermal.stress_of_unit_rise(material, cell->material_id());
-    all_values.reinit(cell);
-    const FEValues<dim> &values = all_values.get_present_fe_values();
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const Point<dim> &x = values.quadrature_point(q);
-        const double      weight =
-          thermal.temperature_change(*cell, x) * values.JxW(q) * measure(model, x);
-        for (const unsigned int i : values.dof_indices())
-          {
-            // The thermal stress of an isotropic body with expansion along the axes is diagonal, so
-            // that component d works on the derivative in its own direction only.
-            const unsigned int d = cell->get_fe().system_to_component_index(i).first;
-            cell_load[i] += weight * stress[d] * values.shape_grad(i, q)[d];
-            // The hoop component works on u_r/r.
-            if (model == Model::axisymmetric && d == 0)
-              cell_load[i] += weight * stress[2] * values.shape_value(i, q) / x[0];
-          }
-      }
-    return true;
-  }
-
-
-
   template class ThermalStrain<2>;
   template class ThermalStrain<3>;
-  template class ThermalLoad<2>;
-  template class ThermalLoad<3>;
 } // namespace Signorini

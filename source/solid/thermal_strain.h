@@ -115,6 +115,9 @@ namespace Signorini
     /// The temperature at quadrature point q.
     double
     temperature(const dealii::FEValues<dim> &values, unsigned int q, double t) const;
+    /// Throws SceneError on all ranks where a body would shrink to nothing. Collective.
+    void
+    throw_if_vanishing(unsigned int id) const;
     /// Throws SceneError on all ranks if any rank has a bad point. Collective.
     void
     throw_if_invalid(unsigned int id, double t, const std::vector<dealii::Point<dim>> &bad) const;

@@ -200,12 +200,18 @@ def further_steps(test):
     end, number = "Load steps/End time=2", "Load steps/Number=8"
     ends(test, [scene, "--set", end, "--set", number, "--set", pulled, "--set", f"Output/Directory={whole}"], 0)
     ends(test, [scene, "--set", "Load steps/Number=4", "--set", f"Output/Directory={folder}"], 0)
-    more = ["--restart", folder, "--set", end, "--set", number, "--set", pulled]
+    more = ["--restart", folder, "--set", end, "--set", number, "--set", pulled, "--set", "Supports/Names="]
     ends(test, more, 2, "which has left no checkpoint")
     ends(test, [scene, *keep, "--set", "Load steps/Number=4", "--set", f"Output/Directory={folder}"], 0)
     ends(test, ["--restart", folder, "--set", pulled], 2, "set a later Load steps/End time")
     ends(test, ["--restart", folder, "--set", "Bodies/block/Young's modulus=1", "--set", end], 2, "would change the problem")
     ends(test, ["--restart", folder], 0, "nothing was done")
+    # What contradicts the past is refused, after which the right keys are accepted.
+    ends(test, ["--restart", folder, "--set", end, "--set", number, "--set", "Loads/pull/Traction=5*t; 0"], 2,
+         "Loads have another resultant")
+    held = ["Supports/Names=new", "Supports/new/Boundaries=block.right", "Supports/new/Displacement=0.1*t; free"]
+    ends(test, ["--restart", folder, "--set", end, *(word for one in held for word in ("--set", one))], 2,
+         "Supports prescribe other displacements")
     # Before the first of the further steps is done, and after one of them.
     ends(test, [*more, "--set", "Output/Time limit=1e-6"], 5)
     ends(test, ["--restart", folder, "--set", "Output/Time limit=0"], 0, "Restart from", ranks=2)
