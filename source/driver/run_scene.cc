@@ -62,9 +62,10 @@ namespace Signorini
         return {read_raw(task.scene), std::filesystem::path(task.scene).stem()};
       const Origin       origin = read_origin(task.restart);
       std::istringstream text(origin.scene);
-      RawSection         raw = read_raw(text, task.restart + "/restart.scene");
+      RawSection         raw         = read_raw(text, task.restart + "/restart.scene");
+      const bool         is_finished = end_of_finished_run(task.restart).has_value();
       for (const std::string &assignment : task.overrides)
-        check_change(assignment, end_of_finished_run(task.restart).has_value());
+        check_change(assignment, is_finished);
       override_value(raw, "Output/Directory=" + task.restart);
       return {raw, origin.name};
     }
