@@ -162,8 +162,8 @@ namespace Signorini
       least = std::min(least, one);
     constexpr double rounding = 1e-12;
     return is_free && Utilities::MPI::min(least, comm) >= -rounding * elasticity.mesh().size() &&
-           std::none_of(decisions.pairs.begin(), decisions.pairs.end(), [](const auto &pair) {
-             return pair.gap_depends_on_time();
+           std::none_of(decisions.pairs.begin(), decisions.pairs.end(), [&](const auto &pair) {
+             return contact.has_time_dependent_gap(pair);
            });
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/obstacles/shape_parameter.h"
 #include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -29,12 +29,25 @@ namespace Signorini
         section.add_noted("Normal",
                           normal,
                           "axis, out of the obstacle at the apex, towards the body; any length");
-        section.add("Angle",
-                    angle,
-                    "between the flank and the plane normal to the axis [degrees]",
-                    Range{0, 89, false});
+        angle.declare(
+          section,
+          "Angle",
+          "between the flank and the plane normal to the axis: number or formula in t [degrees]",
+          Range{0, 89, false});
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");
+      }
+
+      bool
+      depends_on_time() const override
+      {
+        return angle.depends_on_time();
+      }
+
+      void
+      set_time(const double t) override
+      {
+        angle.set_time(t);
       }
 
       ObstaclePoint<dim>
@@ -66,8 +79,8 @@ namespace Signorini
       }
 
     private:
-      Point<dim> apex, normal;
-      double     angle = 10;
+      Point<dim>     apex, normal;
+      ShapeParameter angle{10};
     };
   } // namespace
 

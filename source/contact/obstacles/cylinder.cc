@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/obstacles/shape_parameter.h"
 #include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -26,10 +26,22 @@ namespace Signorini
         section.add("Center", center, "a point of the axis [length]");
         if (dim == 3)
           section.add("Axis", axis, "direction of the axis, any length");
-        section.add("Radius", radius, "[length]", positive);
+        radius.declare(section, "Radius", "number or formula in t [length]", positive);
         section.add("Hollow", hollow, "yes: the body is inside, in a bore");
         if (axis.norm() == 0)
           section.fail("Axis", "must not be zero");
+      }
+
+      bool
+      depends_on_time() const override
+      {
+        return radius.depends_on_time();
+      }
+
+      void
+      set_time(const double t) override
+      {
+        radius.set_time(t);
       }
 
       ObstaclePoint<dim>
@@ -55,9 +67,9 @@ namespace Signorini
       }
 
     private:
-      Point<dim> center, axis;
-      double     radius = 1;
-      bool       hollow = false;
+      Point<dim>     center, axis;
+      ShapeParameter radius{1};
+      bool           hollow = false;
     };
   } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/obstacles/shape_parameter.h"
 #include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -31,9 +31,24 @@ namespace Signorini
         section.add_noted("Normal",
                           normal,
                           "axis at the apex, out of the obstacle, towards the body; any length");
-        section.add("Radius", radius, "of curvature at the apex [length]", positive);
+        radius.declare(section,
+                       "Radius",
+                       "of curvature at the apex: number or formula in t [length]",
+                       positive);
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");
+      }
+
+      bool
+      depends_on_time() const override
+      {
+        return radius.depends_on_time();
+      }
+
+      void
+      set_time(const double t) override
+      {
+        radius.set_time(t);
       }
 
       ObstaclePoint<dim>
@@ -116,8 +131,8 @@ namespace Signorini
         return foot;
       }
 
-      Point<dim> apex, normal;
-      double     radius = 1;
+      Point<dim>     apex, normal;
+      ShapeParameter radius{1};
     };
   } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/obstacles/shape_parameter.h"
 #include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
 
 #include <cmath>
 
@@ -28,14 +28,31 @@ namespace Signorini
         section.add_noted("Normal",
                           normal,
                           "of the flat face, out of the obstacle, towards the body; any length");
-        section.add("Radius",
-                    radius,
-                    dim == 2 ? "half the width of the flat face [length]" :
-                               "of the flat face [length]",
-                    positive);
-        section.add("Edge radius", edge, "of the rounded edge; 0: sharp [length]", non_negative);
+        radius.declare(section,
+                       "Radius",
+                       dim == 2 ?
+                         "half the width of the flat face: number or formula in t [length]" :
+                         "of the flat face: number or formula in t [length]",
+                       positive);
+        edge.declare(section,
+                     "Edge radius",
+                     "of the rounded edge; 0: sharp; number or formula in t [length]",
+                     non_negative);
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");
+      }
+
+      bool
+      depends_on_time() const override
+      {
+        return radius.depends_on_time() || edge.depends_on_time();
+      }
+
+      void
+      set_time(const double t) override
+      {
+        radius.set_time(t);
+        edge.set_time(t);
       }
 
       ObstaclePoint<dim>
@@ -71,8 +88,8 @@ namespace Signorini
       }
 
     private:
-      Point<dim> center, normal;
-      double     radius = 1, edge = 0;
+      Point<dim>     center, normal;
+      ShapeParameter radius{1}, edge{0};
     };
   } // namespace
 

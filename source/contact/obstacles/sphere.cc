@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/obstacles/shape_parameter.h"
 #include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -19,8 +19,20 @@ namespace Signorini
       declare(Section &section) override
       {
         section.add("Center", center, "[length]");
-        section.add("Radius", radius, "[length]", positive);
+        radius.declare(section, "Radius", "number or formula in t [length]", positive);
         section.add("Hollow", hollow, "yes: the body is inside, in a spherical seat");
+      }
+
+      bool
+      depends_on_time() const override
+      {
+        return radius.depends_on_time();
+      }
+
+      void
+      set_time(const double t) override
+      {
+        radius.set_time(t);
       }
 
       ObstaclePoint<dim>
@@ -41,9 +53,9 @@ namespace Signorini
       }
 
     private:
-      Point<dim> center;
-      double     radius = 1;
-      bool       hollow = false;
+      Point<dim>     center;
+      ShapeParameter radius{1};
+      bool           hollow = false;
     };
   } // namespace
 
