@@ -16,7 +16,7 @@ namespace Signorini
 
   namespace
   {
-    /// Compute displacement and stress at a point as means over the cells that share it.
+    /// Compute displacement, stress and strain at a point as means over the cells that share it.
     template <int dim>
     void
     evaluate(const Elasticity<dim>                &elasticity,
@@ -24,7 +24,8 @@ namespace Signorini
              const std::vector<CellLocation<dim>> &locations,
              const Point<dim>                     &x,
              Tensor<1, dim>                       &u,
-             SymmetricTensor<2, 3>                &stress)
+             SymmetricTensor<2, 3>                &stress,
+             SymmetricTensor<2, 3>                &strain)
     {
       const double share = 1. / locations.size();
       for (const CellLocation<dim> &location : locations)
@@ -40,6 +41,7 @@ namespace Signorini
           values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement, gradients);
           u += share * us[0];
           stress += share * elasticity.stress(*location.cell, gradients[0], us[0], x);
+          strain += share * elasticity.strain(*location.cell, gradients[0], us[0], x);
         }
     }
   } // namespace
@@ -71,18 +73,20 @@ namespace Signorini
           throw_outside_of_bodies(probes[i], elasticity.mesh());
 
         Tensor<1, dim>        u;
-        SymmetricTensor<2, 3> stress;
+        SymmetricTensor<2, 3> stress, strain;
         if (rank == Utilities::MPI::this_mpi_process(comm))
           evaluate(elasticity,
                    ghosted,
                    cells_about(elasticity.mesh().mapping(), locations[i], probes[i].point),
                    probes[i].point,
                    u,
-                   stress);
+                   stress,
+                   strain);
         result[i].name         = probes[i].name;
         result[i].found        = true;
         result[i].displacement = Utilities::MPI::sum(u, comm);
         result[i].stress       = Utilities::MPI::sum(stress, comm);
+        result[i].strain       = Utilities::MPI::sum(strain, comm);
         result[i].von_mises    = von_mises(result[i].stress);
       }
     return result;

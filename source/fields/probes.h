@@ -20,6 +20,7 @@ namespace Signorini
     dealii::Tensor<1, dim> displacement;
     /// Cauchy stress, positive in tension.
     dealii::SymmetricTensor<2, 3> stress;
+    dealii::SymmetricTensor<2, 3> strain; ///< see Elasticity::strain()
     double                        von_mises = 0;
     bool                          found     = false;
   };

@@ -16,10 +16,14 @@ namespace Signorini
   /// `subdomain` (the rank). Throws OutputError. Collective.
   /// @param snapshot the solution
   /// @param directory in which files are written
+  /// @param with_strain whether `strain` (nine components, see Elasticity::strain()) and
+  /// `principal_strain_1` to `_3` are added
   /// @return the name of the record
   template <int dim>
   std::string
-  write_bodies(const Snapshot<dim> &snapshot, const std::string &directory);
+  write_bodies(const Snapshot<dim> &snapshot,
+               const std::string   &directory,
+               bool                 with_strain = false);
 
   /// Write NAME_NNNN.pvtu and its pieces (NNNN is the step): the slave faces of all pairs at
   /// reference positions, with `displacement`, `traction` (force on the slave per area), `pressure`

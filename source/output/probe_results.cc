@@ -11,24 +11,34 @@ namespace Signorini
 
   namespace
   {
+    /// @return the components of a tensor by name.
+    Json
+    components(const SymmetricTensor<2, 3> &tensor)
+    {
+      return {{"xx", tensor[0][0]},
+              {"yy", tensor[1][1]},
+              {"zz", tensor[2][2]},
+              {"xy", tensor[0][1]},
+              {"yz", tensor[1][2]},
+              {"xz", tensor[0][2]}};
+    }
+
+
+
     /// @return the entry of a point in a body.
     template <int dim>
     Json
     in_body(const Point<dim> &place, const ProbeValue<dim> &value)
     {
-      const auto                 &s         = value.stress;
-      const std::array<double, 3> principal = eigenvalues(s); // the largest first
+      const std::array<double, 3> principal_stress = eigenvalues(value.stress), // the largest first
+        principal_strain                           = eigenvalues(value.strain);
       return {{"place", list<dim>(place)},
               {"displacement", list(value.displacement)},
-              {"stress",
-               {{"xx", s[0][0]},
-                {"yy", s[1][1]},
-                {"zz", s[2][2]},
-                {"xy", s[0][1]},
-                {"yz", s[1][2]},
-                {"xz", s[0][2]}}},
-              {"principal_stress", list(principal)},
-              {"von_mises", value.von_mises}};
+              {"stress", components(value.stress)},
+              {"principal_stress", list(principal_stress)},
+              {"von_mises", value.von_mises},
+              {"strain", components(value.strain)},
+              {"principal_strain", list(principal_strain)}};
     }
 
     /// @return the entries of all points of a probe on a slave surface. Collective.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace Signorini
 {
@@ -16,30 +17,41 @@ namespace Signorini
 
   namespace
   {
-    /// Columns of the data that the postprocessor computes: von Mises stress, the stress row by
-    /// row, and the principal stresses.
-    enum Column : unsigned int
+    /// The names of the columns of a tensor in space: its components row by row, then its principal
+    /// values. Tensors of deal.II have dim * dim components, without those across the plane: the
+    /// class Bodies combines nine scalars to one tensor.
+    std::vector<std::string>
+    columns_of(const std::string &tensor)
     {
-      mises,
-      tensor,
-      principal = tensor + 9,
-      n_columns = principal + 3
-    };
+      std::vector<std::string> result;
+      for (unsigned int c = 0; c < 9; ++c)
+        result.push_back(tensor + "_" + std::to_string(c));
+      for (unsigned int c = 1; c <= 3; ++c)
+        result.push_back("principal_" + tensor + "_" + std::to_string(c));
+      return result;
+    }
 
-    constexpr char first_of_stress[] = "stress_0";
 
 
-
-    /// Computes all stress quantities from the displacement.
+    /// Computes quantities from displacement and strain at points of cells: scalars, whose names
+    /// are given.
     template <int dim>
-    class StressPostprocessor : public DataPostprocessor<dim>
+    class Postprocessor : public DataPostprocessor<dim>
     {
     public:
-      StressPostprocessor(const Elasticity<dim> &elasticity)
+      Postprocessor(const Elasticity<dim> &elasticity, std::vector<std::string> names)
         : elasticity(elasticity)
+        , names(std::move(names))
       {}
 
-      /// Compute the stress columns at the points of one cell.
+      /// The values of a point, in the order of the names.
+      virtual void
+      evaluate(const CellAccessor<dim> &cell,
+               const Tensor<2, dim>    &gradient,
+               const Tensor<1, dim>    &u,
+               const Point<dim>        &x,
+               Vector<double>          &values) const = 0;
+
       void
       evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
                             std::vector<Vector<double>>                &computed) const override
@@ -48,39 +60,26 @@ namespace Signorini
         for (unsigned int q = 0; q < computed.size(); ++q)
           {
             Tensor<2, dim> gradient;
-            for (unsigned int d = 0; d < dim; ++d)
-              gradient[d] = inputs.solution_gradients[q][d];
             Tensor<1, dim> u;
             for (unsigned int d = 0; d < dim; ++d)
-              u[d] = inputs.solution_values[q][d];
-            const SymmetricTensor<2, 3> sigma =
-              elasticity.stress(*cell, gradient, u, inputs.evaluation_points[q]);
-            computed[q][Column::mises] = von_mises(sigma);
-            for (unsigned int c = 0; c < 9; ++c)
-              computed[q][Column::tensor + c] = sigma[c / 3][c % 3];
-            const std::array<double, 3> principal = eigenvalues(sigma); // the largest first
-            for (unsigned int c = 0; c < 3; ++c)
-              computed[q][Column::principal + c] = principal[c];
+              {
+                gradient[d] = inputs.solution_gradients[q][d];
+                u[d]        = inputs.solution_values[q][d];
+              }
+            evaluate(*cell, gradient, u, inputs.evaluation_points[q], computed[q]);
           }
       }
 
       std::vector<std::string>
       get_names() const override
       {
-        std::vector<std::string> names = {"von_mises", first_of_stress};
-        for (unsigned int c = 1; c < 9; ++c)
-          names.push_back("stress_" + std::to_string(c));
-        for (unsigned int c = 1; c <= 3; ++c)
-          names.push_back("principal_stress_" + std::to_string(c));
         return names;
       }
 
-      // Tensors of deal.II have dim * dim components, without sigma_zz of plane strain or the hoop
-      // stress: the class Bodies combines nine scalars to one tensor.
       std::vector<DataComponentInterpretation::DataComponentInterpretation>
       get_data_component_interpretation() const override
       {
-        return {Column::n_columns, DataComponentInterpretation::component_is_scalar};
+        return {names.size(), DataComponentInterpretation::component_is_scalar};
       }
 
       UpdateFlags
@@ -89,13 +88,82 @@ namespace Signorini
         return update_values | update_gradients | update_quadrature_points;
       }
 
-    private:
+    protected:
+      /// Write a tensor to the columns of columns_of(), from column `first` on.
+      static void
+      write(const SymmetricTensor<2, 3> &tensor, const unsigned int first, Vector<double> &values)
+      {
+        for (unsigned int c = 0; c < 9; ++c)
+          values[first + c] = tensor[c / 3][c % 3];
+        const std::array<double, 3> principal = eigenvalues(tensor); // the largest first
+        for (unsigned int c = 0; c < 3; ++c)
+          values[first + 9 + c] = principal[c];
+      }
+
       const Elasticity<dim> &elasticity;
+
+    private:
+      const std::vector<std::string> names;
     };
 
 
 
-    /// The output of bodies, with the components of the stress as one tensor.
+    /// The stress, and its von Mises stress behind it.
+    template <int dim>
+    class StressPostprocessor : public Postprocessor<dim>
+    {
+    public:
+      StressPostprocessor(const Elasticity<dim> &elasticity)
+        : Postprocessor<dim>(elasticity, names())
+      {}
+
+      void
+      evaluate(const CellAccessor<dim> &cell,
+               const Tensor<2, dim>    &gradient,
+               const Tensor<1, dim>    &u,
+               const Point<dim>        &x,
+               Vector<double>          &values) const override
+      {
+        const SymmetricTensor<2, 3> sigma = this->elasticity.stress(cell, gradient, u, x);
+        this->write(sigma, 0, values);
+        values[values.size() - 1] = von_mises(sigma);
+      }
+
+    private:
+      static std::vector<std::string>
+      names()
+      {
+        std::vector<std::string> result = columns_of("stress");
+        result.push_back("von_mises");
+        return result;
+      }
+    };
+
+
+
+    /// The strain.
+    template <int dim>
+    class StrainPostprocessor : public Postprocessor<dim>
+    {
+    public:
+      StrainPostprocessor(const Elasticity<dim> &elasticity)
+        : Postprocessor<dim>(elasticity, columns_of("strain"))
+      {}
+
+      void
+      evaluate(const CellAccessor<dim> &cell,
+               const Tensor<2, dim>    &gradient,
+               const Tensor<1, dim>    &u,
+               const Point<dim>        &x,
+               Vector<double>          &values) const override
+      {
+        this->write(this->elasticity.strain(cell, gradient, u, x), 0, values);
+      }
+    };
+
+
+
+    /// The output of bodies, with the components of stress and strain as one tensor each.
     template <int dim>
     class Bodies : public DataOut<dim>
     {
@@ -116,14 +184,17 @@ namespace Signorini
       NonscalarRanges
       get_nonscalar_data_ranges() const override
       {
-        NonscalarRanges    ranges = DataOut<dim>::get_nonscalar_data_ranges();
-        const auto         names  = this->get_dataset_names();
-        const unsigned int first =
-          std::find(names.begin(), names.end(), first_of_stress) - names.begin();
-        ranges.emplace_back(first,
-                            first + 8,
-                            "stress",
-                            DataComponentInterpretation::component_is_part_of_tensor);
+        NonscalarRanges ranges = DataOut<dim>::get_nonscalar_data_ranges();
+        const auto      names  = this->get_dataset_names();
+        for (const char *const tensor : {"stress", "strain"})
+          {
+            const auto first = std::find(names.begin(), names.end(), columns_of(tensor).front());
+            if (first != names.end())
+              ranges.emplace_back(first - names.begin(),
+                                  first - names.begin() + 8,
+                                  tensor,
+                                  DataComponentInterpretation::component_is_part_of_tensor);
+          }
         return ranges;
       }
     };
@@ -163,12 +234,13 @@ namespace Signorini
   // cell data.
   template <int dim>
   std::string
-  write_bodies(const Snapshot<dim> &snapshot, const std::string &directory)
+  write_bodies(const Snapshot<dim> &snapshot, const std::string &directory, const bool with_strain)
   {
     const Elasticity<dim>         &elasticity    = snapshot.elasticity;
     const auto                    &triangulation = elasticity.mesh().triangulation();
     const LA::Vector               displacement  = elasticity.with_ghosts(snapshot.displacement);
     const StressPostprocessor<dim> stresses(elasticity);
+    const StrainPostprocessor<dim> strains(elasticity);
     const Vector<float>            bodies = body_of_cells(elasticity.mesh());
     Vector<float>                  subdomain(triangulation.n_active_cells());
     subdomain = triangulation.locally_owned_subdomain();
@@ -182,6 +254,8 @@ namespace Signorini
                         DataOut<dim>::type_dof_data,
                         is_vector);
     out.add_data_vector(displacement, stresses);
+    if (with_strain)
+      out.add_data_vector(displacement, strains);
     out.add_data_vector(bodies, "body", DataOut<dim>::type_cell_data);
     out.add_data_vector(subdomain, "subdomain", DataOut<dim>::type_cell_data);
     // Cells become as many subcells in each direction as the degree, and curved cells keep their
@@ -201,7 +275,7 @@ namespace Signorini
 
 
   template std::string
-  write_bodies(const Snapshot<2> &, const std::string &);
+  write_bodies(const Snapshot<2> &, const std::string &, bool);
   template std::string
-  write_bodies(const Snapshot<3> &, const std::string &);
+  write_bodies(const Snapshot<3> &, const std::string &, bool);
 } // namespace Signorini

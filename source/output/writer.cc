@@ -25,7 +25,7 @@ namespace Signorini
   Writer<dim>::write(const Snapshot<dim> &snapshot, const Formula &reference_pressure)
   {
     if (settings.vtu)
-      bodies.add(snapshot.time, write_bodies(snapshot, directory));
+      bodies.add(snapshot.time, write_bodies(snapshot, directory, settings.strain));
     if (snapshot.pairs.empty())
       return;
     if (settings.vtu)

@@ -13,6 +13,11 @@ namespace Signorini
                 vtu,
                 "yes or no: write solution.pvd (bodies) and contact.pvd (contact surfaces)");
     section.add(
+      "Strain",
+      strain,
+      "yes or no: solution.pvd has the strain too: the linear one, or at finite strain the "
+      "logarithmic one ln V");
+    section.add(
       "Linear reference",
       linear_reference,
       "yes or no: solve the bodies without contact too, and report the ratios of the seconds and "

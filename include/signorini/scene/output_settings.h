@@ -15,8 +15,10 @@ namespace Signorini
   {
     /// Output directory; empty: output/ and the name of the scene.
     std::string directory;
-    bool        vtu              = true;
-    bool        linear_reference = false;
+    bool        vtu = true;
+    /// Whether the VTU files of bodies have strains.
+    bool strain           = false;
+    bool linear_reference = false;
     /// Whether warnings of the verdict are failures.
     bool strict = false;
     /// Number of load steps between checkpoints; 0: not by steps.
