@@ -308,7 +308,10 @@ namespace Signorini
       // The stiffness of a body is about E times its size (in plane models, per thickness, E
       // alone); times the displacement it is a force, of which Newton's method leaves the share of
       // its tolerance. A body that moves freely has large displacements without forces.
-      return 10 * tolerance * stiffest * s.displacement.linfty_norm() *
+      const double motion = s.displacement.linfty_norm();
+      // Bodies that have come back to their places have the rounding of strains alone.
+      const double rounding = 10 * std::numeric_limits<double>::epsilon() * mesh.size();
+      return (motion <= rounding ? rounding : 10 * tolerance * motion) * stiffest *
              (is_plane ? 1. : mesh.size());
     }
 

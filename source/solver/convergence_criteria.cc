@@ -48,10 +48,14 @@ namespace Signorini
         largest             = std::max(largest, force.l2_norm());
         my_reference_forces = reference_forces(force, largest);
       }
-    // Without present forces, the largest force so far is the scale.
-    if (largest <= 1e-13 * bodies.largest_load())
+    // Without present forces, the largest force so far is the scale, or one beside which the
+    // rounding of strains is as small as the tolerance: surfaces may just touch.
+    const double least =
+      std::max(largest <= 1e-13 * bodies.largest_load() ? bodies.largest_load() : 0.,
+               bodies.rounding_without_loads() / tolerance);
+    if (largest < least)
       {
-        largest = bodies.largest_load();
+        largest = least;
         my_reference_forces.assign(n_bodies, largest);
       }
     bodies.constraints().set_zero(r);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -31,6 +32,7 @@ namespace Signorini
              &elasticity.thermal())
     , pressures(elasticity)
     , linearisation(Linearisation<dim>::create(form, elasticity, kernel, pressures))
+    , rounding_of_strain(elasticity.is_finite_strain() ? size_of_rounding() : 0.)
   {}
 
 
@@ -160,6 +162,36 @@ namespace Signorini
     following = pushed.l2_norm();
     largest   = std::max(largest, load_size());
     return balanced;
+  }
+
+
+
+  // The entries of F = I + Grad u have the rounding of one, whatever the strain is.
+  template <int dim>
+  double
+  NonlinearSolid<dim>::size_of_rounding() const
+  {
+    LA::Vector     sizes = elasticity.zero_vector();
+    Vector<double> of_cell;
+    for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
+      of_cell.reinit(indices.size());
+      of_cell = elasticity.material(cell->material_id()).youngs_modulus * cell->measure() /
+                cell->diameter() * measure(elasticity.model(), cell->center());
+      elasticity.constraints().distribute_local_to_global(of_cell, indices, sizes);
+    });
+    sizes.compress(VectorOperation::add);
+    return std::numeric_limits<double>::epsilon() * sizes.l2_norm();
+  }
+
+
+
+  template <int dim>
+  double
+  NonlinearSolid<dim>::rounding_without_loads() const
+  {
+    constexpr double nothing = 1e-13; // of the largest load so far
+    const double     applied = std::max({double(f.l2_norm()), following, thermal_size});
+    return applied <= nothing * largest ? rounding_of_strain : 0.;
   }
 
 

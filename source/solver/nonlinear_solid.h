@@ -69,6 +69,9 @@ namespace Signorini
     double
     load_size() const override;
 
+    double
+    rounding_without_loads() const override;
+
     /// The largest load_size() so far: bodies may undergo rigid motions without force, and then
     /// reactions are nothing but rounding error.
     double
@@ -133,6 +136,10 @@ namespace Signorini
     /// The norm of the forces of thermal strain of bodies with a constitutive law. Collective.
     double
     size_of_thermal_forces() const;
+    /// The norm of E V/h of the cells, over their degrees of freedom, times the rounding of one.
+    /// Collective.
+    double
+    size_of_rounding() const;
     /// Throws SceneError where a pressure is not a number. Collective.
     void
     check_pressures() const;
@@ -150,6 +157,7 @@ namespace Signorini
     mutable PressureKernel<dim>               pressures;
     const std::unique_ptr<Linearisation<dim>> linearisation;
     double                                    thermal_size = 0; ///< see size_of_thermal_forces()
+    double         rounding_of_strain;          ///< norm of forces, see rounding_without_loads()
     mutable double reaction = 0, following = 0; ///< sizes, of reactions and pressures
     mutable double largest = 0;                 ///< load_size() so far
   };

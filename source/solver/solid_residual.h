@@ -39,6 +39,14 @@ namespace Signorini
     virtual double
     load_size() const = 0;
 
+    /// The norm of the forces that the rounding of the deformation gradient makes, where nothing is
+    /// applied to the bodies (no loads, pressures or temperatures); else 0.
+    virtual double
+    rounding_without_loads() const
+    {
+      return 0;
+    }
+
     /// The largest load_size() so far, if the rounding error of later ones is relative to it; else
     /// 0. Not collective.
     virtual double
