@@ -7,19 +7,6 @@
 
 namespace Signorini
 {
-  namespace
-  {
-    /// True if there are follower pressures, whose tangent the kernels do not have.
-    template <int dim>
-    bool
-    has_pressures(const Elasticity<dim> &elasticity)
-    {
-      return dead_loads(elasticity).size() < elasticity.loads().size();
-    }
-  } // namespace
-
-
-
   template <int dim>
   StiffnessForm
   choose_form(const std::optional<StiffnessForm> &wanted,
@@ -27,11 +14,12 @@ namespace Signorini
               const Elasticity<dim>              &elasticity,
               const bool                          is_to_be_refined)
   {
-    // Without a wish: matrix-free in space where kernels exist, if there are multigrid levels of
-    // meshes or degrees or the bodies are nonlinear, unless the preconditioner needs the matrix.
+    // Kernels do not have the tangent of follower pressures. Without a wish: matrix-free in space
+    // where kernels exist, if there are multigrid levels of meshes or degrees or the bodies are
+    // nonlinear, unless the preconditioner needs the matrix.
     const auto &triangulation = elasticity.mesh().triangulation();
     const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
-                             !(elasticity.is_finite_strain() && has_pressures(elasticity)),
+                             !has_follower_pressures(elasticity),
                // Without levels of spaces the hierarchy consists of aggregates of the matrix, which
                // has to be assembled anyway.
       has_levels =

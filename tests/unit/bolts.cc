@@ -312,7 +312,7 @@ TEST_CASE("import: kinematic couplings of some components")
                      "*STEP\n*STATIC\n1, 1\n*BOUNDARY\n88, 6, 6, 0.01\n" + acts + "*END STEP\n");
   };
   for (
-    const std::string &coupling :
+    const std::string coupling :
     {"*SURFACE, NAME=face\n1, S2\n*COUPLING, REF NODE=88, SURFACE=face, CONSTRAINT NAME=c\n*KINEMATIC\n1, 2\n",
      "*KINEMATIC COUPLING, REF NODE=88\ntop, 1, 2\n"})
     {
