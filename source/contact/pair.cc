@@ -115,11 +115,10 @@ namespace Signorini
           initial_gap = "kept";
         if (slave == master)
           section.fail("Law", "a surface cannot be tied to itself; set Law = contact");
-        if (from > 0)
-          section.fail(
-            "Start time",
-            "is not available for tied surfaces, which are glued as they are at the start; "
-            "remove it, or set Law = contact");
+        if (from > 0 && (initial_gap.text != "kept" || pretension.given()))
+          section.fail("Start time",
+                       "of tied surfaces requires Initial gap = kept, and no pretension: they are "
+                       "glued as they are then");
       }
     pretension.check_keys(section, is_tied);
     strength.check_keys(section, is_tied, pretension.given());

@@ -342,7 +342,7 @@ namespace Signorini
 
 
 
-  // Gaps that change with time without any displacement: formulas in t, and moving obstacles.
+  // Gaps that change with time without any displacement: formulas in t, of gaps and of shapes.
   template <int dim>
   bool
   ContactInterfaces<dim>::has_time_dependent_gap(const ContactPair<dim> &pair) const

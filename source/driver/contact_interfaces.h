@@ -126,6 +126,17 @@ namespace Signorini
     bool
     enlarge_search_radius();
 
+    /// Let the normal gaps of ties that begin late count from their beginning: at points where it
+    /// is not known, it is that of the displacement u. Collective.
+    /// @param internal variables of the points, which are changed
+    /// @return whether there are any at which it was not known
+    bool
+    set_gaps_at_start(const LA::Vector &u, InternalFields &internal);
+
+    /// True if the reference gap of a pair depends on time.
+    bool
+    has_time_dependent_gap(const ContactPair<dim> &pair) const;
+
     /// Set the time for the gap operator: interference factors of the pairs, and the stress due to
     /// the present temperatures of the bodies, and friction coefficients. Collective.
     /// @param internal variables of the contact points at the start of the load step
@@ -178,9 +189,6 @@ namespace Signorini
     dealii::Point<dim>
     position_of(dealii::types::global_dof_index point) const;
 
-    /// True if the reference gap of the pair depends on time.
-    bool
-    has_time_dependent_gap(const ContactPair<dim> &pair) const;
 
     /// The change of the displacement since build().
     LA::Vector

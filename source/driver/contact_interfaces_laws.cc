@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pairs say of the law at their points: compliance, friction, and bonds.
 #include "contact/laws/bonds.h"
+#include "contact/laws/coulomb_friction.h"
 #include "driver/contact_interfaces.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
@@ -128,6 +129,41 @@ namespace Signorini
 
 
 
+  // Along the tangents the slip is that of the load step in any case.
+  template <int dim>
+  bool
+  ContactInterfaces<dim>::set_gaps_at_start(const LA::Vector &u, InternalFields &internal)
+  {
+    LA::Vector &start     = internal.scalars[CoulombFriction::gap_at_start],
+               &known     = internal.scalars[CoulombFriction::gap_is_known];
+    contact->gap_at_start = LA::Vector();
+    contact->set_interference(contact->interference);
+    const LA::Vector now    = contact->gap(u);
+    bool             is_new = false;
+    contact->for_each_point([&](const auto i, const unsigned int pair) {
+      const ContactPair<dim> &of_point = decisions.pairs[pair];
+      const bool              is_late  = of_point.is_tied && of_point.from > 0;
+      if (is_late && known(i) < 0.5)
+        {
+          start(i) = now(i);
+          is_new   = true;
+        }
+      known(i) = is_late ? 1. : 0.;
+      start(i) = is_late ? double(start(i)) : 0.;
+    });
+    start.compress(VectorOperation::insert);
+    known.compress(VectorOperation::insert);
+    // A copy would take over the ghost layout, which may differ between ranks.
+    contact->gap_at_start = contact->zero();
+    for (const auto i : contact->weight.locally_owned_elements())
+      contact->gap_at_start(i) = start(i);
+    contact->gap_at_start.compress(VectorOperation::insert);
+    contact->set_interference(contact->interference);
+    return Utilities::MPI::max(is_new ? 1 : 0, elasticity.mesh().communicator()) > 0;
+  }
+
+
+
   template <int dim>
   bool
   ContactInterfaces<dim>::break_bonds(const PointVectors &traction, LA::Vector &intact)
@@ -141,10 +177,11 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template void       ContactInterfaces<dim>::set_bonds(LA::Vector &);                             \
-  template bool       ContactInterfaces<dim>::break_bonds(const PointVectors &, LA::Vector &);     \
-  template void       ContactInterfaces<dim>::set_compliance();                                    \
-  template void       ContactInterfaces<dim>::set_friction(double, const InternalFields &);        \
+  template void ContactInterfaces<dim>::set_bonds(LA::Vector &);                                   \
+  template bool ContactInterfaces<dim>::set_gaps_at_start(const LA::Vector &, InternalFields &);   \
+  template bool ContactInterfaces<dim>::break_bonds(const PointVectors &, LA::Vector &);           \
+  template void ContactInterfaces<dim>::set_compliance();                                          \
+  template void ContactInterfaces<dim>::set_friction(double, const InternalFields &);              \
   template Point<dim> ContactInterfaces<dim>::position_of(types::global_dof_index) const;          \
   template void       ContactInterfaces<dim>::check_friction(double,                               \
                                                        const InternalFields &,               \

@@ -99,6 +99,14 @@ namespace Signorini
                      .internal.scalars[CoulombFriction::bond];
         contact.set_bonds(intact);
       }
+    // The first search of the load step counts, whose surfaces are those at its start.
+    if (scene.contact.chosen().has_late_ties && state.start.displacement.size() > 0 &&
+        contact.set_gaps_at_start(state.start.displacement, my_contact.internal))
+      {
+        ContactState start  = from_surface_field(state.start.contact, points, my_contact.internal);
+        start.internal      = my_contact.internal;
+        state.start.contact = to_surface_field(points, start, dim);
+      }
     elasticity.material_history().start(state.start.material, state.start.duration);
     if (state.start.displacement.size() > 0)
       points.set_start(state.start.displacement);

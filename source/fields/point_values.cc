@@ -34,17 +34,25 @@ namespace Signorini
     const std::vector<double> opened = gap_increments(places, s.displacement);
     auto                      change = opened.begin();
     const LA::Vector          p      = s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair));
+    // Ties that begin late have the gap since then.
+    const bool       is_late = s.contact.gap_at_start.size() > 0;
+    const LA::Vector start =
+      is_late ? s.elasticity.with_ghosts(nodal_field(s, s.contact.gap_at_start, pair)) : p;
     for (const ContactPoint<dim> &point : points)
       {
         // While an interference is resolved step by step, only a fraction of an initial penetration
         // counts.
         const double share =
           point.gap < 0 && !s.contact.interference.empty() ? s.contact.interference[pair] : 1.;
-        const double gap      = share * point.gap + point.gap_offset + *change++;
-        double       pressure = 0;
+        double gap      = share * point.gap + point.gap_offset + *change++;
+        double pressure = 0;
         for (const auto &[node, value] :
              point.interpolation.empty() ? point.multiplier_shape : point.interpolation)
-          pressure += value * p(node);
+          {
+            pressure += value * p(node);
+            if (is_late)
+              gap -= value * start(node);
+          }
         values.gap.push_back(gap);
         values.pressure.push_back(pressure / point.stretch);
       }

@@ -299,6 +299,10 @@ namespace Signorini
         refuse("Contact pairs/" + pair.name +
                  "/Master rotation = " + short_text(pair.image.rotation),
                "is not available with Deformation = finite");
+    for (const ContactPair<dim> &pair : pairs)
+      if (pair.is_tied && pair.from > 0)
+        refuse("Contact pairs/" + pair.name + "/Start time = " + short_text(pair.from),
+               "of tied surfaces is not available with Deformation = finite");
     for (const Load<dim> &load : scene.loads)
       if (model_of(scene.model) == Model::plane_stress && !load.pressure.is_zero())
         refuse(

@@ -110,8 +110,11 @@ namespace Signorini
       });
       method.has_ties =
         std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) { return pair.is_tied; });
-      method.has_strength = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+      method.has_strength  = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
         return pair.strength.given();
+      });
+      method.has_late_ties = std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+        return pair.is_tied && pair.from > 0;
       });
     }
   } // namespace

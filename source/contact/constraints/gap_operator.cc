@@ -86,7 +86,8 @@ namespace Signorini
         const double share  = shares[*which++];
         const bool   counts = reference_gap(i) < 0 || coefficients.least_status(i) > 0;
         const double change = at_rest() ? 0. : double(moved.gap_offset(i));
-        initial_gap(i)      = (counts ? share : 1.) * reference_gap(i) + change;
+        const double start  = gap_at_start.size() > 0 ? double(gap_at_start(i)) : 0.;
+        initial_gap(i)      = (counts ? share : 1.) * reference_gap(i) + change - start;
       }
     initial_gap.compress(VectorOperation::insert);
   }

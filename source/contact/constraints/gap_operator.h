@@ -188,6 +188,8 @@ namespace Signorini
     /// The gap g_0 of (5.2): reference_gap, times the present share of initial penetrations at
     /// overlapping and bilateral points, plus moved.gap_offset in displaced configurations.
     LA::Vector initial_gap;
+    /// The gap from which that of ties which begin late is measured [length]; empty: zero.
+    LA::Vector gap_at_start;
     /// Present share of initial penetrations, for each pair; empty: 1.
     std::vector<double> interference;
 

@@ -67,6 +67,7 @@ namespace Signorini
     : ContactLaw(contact)
     , has_friction(method.has_friction)
     , has_strength(method.has_strength)
+    , has_late_ties(method.has_late_ties)
     , normal(method, contact)
     , shift(method.pressure_shift())
     , last(contact.zeros())

@@ -31,12 +31,16 @@ namespace Signorini
   /// latter two are those of (t - (t^ - c s))/c, the slip without the elastic one of penalties, or
   /// that of the discretisation with Nitsche's method: the work is not negative. A point that opens
   /// keeps the scalars only. Where bonds can fail, scalar 2 is 1 at points whose bond is intact,
-  /// else 0: the law keeps it, and the driver changes it (BondStrength).
+  /// else 0 (BondStrength). Where ties begin late, scalar 3 is the normal gap at their beginning
+  /// [length], and scalar 4 is 1 where that is known, else 0. The law keeps these three, and the
+  /// driver changes them.
   class CoulombFriction : public ContactLaw
   {
   public:
     /// The number of the internal scalar that tells whether a bond is intact.
     static constexpr unsigned int bond = 2;
+    /// Those of the gap at the beginning of a tie, and whether it is known.
+    static constexpr unsigned int gap_at_start = 3, gap_is_known = 4;
 
     /// Keeps a reference to the gap operator, whose coefficients contain mu.
     CoulombFriction(const ContactMethod &method, const GapOperator &contact);
@@ -68,8 +72,10 @@ namespace Signorini
       InternalVariables result{std::vector<LawVector>(shift == PressureShift::normal_stress ? 3 :
                                                                                               2),
                                {0., 0.}};
-      if (has_strength)
+      if (has_strength || has_late_ties)
         result.scalars.push_back(1);
+      if (has_late_ties)
+        result.scalars.insert(result.scalars.end(), 2, 0.);
       return result;
     }
 
@@ -156,8 +162,9 @@ namespace Signorini
     double
     predicted(Index point, const LawInput &in, unsigned int component) const;
 
-    const bool    has_friction; ///< at any point; else points of tied pairs stick, others slip
-    const bool    has_strength; ///< whether bonds of tied pairs can fail
+    const bool    has_friction;  ///< at any point; else points of tied pairs stick, others slip
+    const bool    has_strength;  ///< whether bonds of tied pairs can fail
+    const bool    has_late_ties; ///< whether tied pairs begin after the start of the history
     NormalContact normal;
     const PressureShift shift;
     PointVectors        last;                    ///< traction of the last augmentation

@@ -79,8 +79,8 @@ namespace Signorini
     make_law(const GapOperator &contact) const;
 
     /// Whether any pair of the scene has friction, whether any is tied, and whether any tied one
-    /// can fail, which the scene tells its methods.
-    bool has_friction = false, has_ties = false, has_strength = false;
+    /// can fail, or begins after the start of the history, which the scene tells its methods.
+    bool has_friction = false, has_ties = false, has_strength = false, has_late_ties = false;
 
     /// True if the law depends on the slip; then contact points have as many components as the
     /// dimension.
