@@ -121,6 +121,7 @@ def forces(results):
             "Friction",
         ),
         supports(results, step, at),
+        fluids(results, step, at),
         cross_sections(results, step, at),
         stresses(results, step, at),
         probes(results, step, at),
@@ -161,6 +162,14 @@ def supports(results, step, at):
         rows,
         "Reactions, obstacles and loads",
     )
+
+
+def fluids(results, step, at):
+    rows = []
+    for name in step.get("fluids", {}):
+        here = (*at, "fluids", name)
+        rows.append((name, entry(results, *here, "wet_area"), entry(results, *here, "area")))
+    return table(("fluid", "acts on an area of", "of"), rows, "Fluids, undeformed areas")
 
 
 def cross_sections(results, step, at):

@@ -233,7 +233,8 @@ namespace Signorini
       }
     try
       {
-        if (solve_from_start(start, t, tolerance) && solve_while_bonds_fail(t, tolerance))
+        start_fluids();
+        if (solve_from_start(start, t, tolerance) && solve_while_state_changes(t, tolerance))
           {
             state.time     = t;
             state.material = elasticity.internal_variables(state.displacement);
@@ -363,31 +364,6 @@ namespace Signorini
       return false;
     return needs_geometry_update(true) ? update_geometry_until_converged(t, tolerance, false) :
                                          true;
-  }
-
-
-
-  // Each solution decides which bonds fail next. Ends since there are finitely many points, and
-  // failed ones stay so. Collective.
-  template <int dim>
-  bool
-  Equilibrium<dim>::solve_while_bonds_fail(const double t, const double tolerance)
-  {
-    while (configuration_solver.break_bonds())
-      {
-        previous_steps = my_report.steps;
-        // Where bonds fail, bodies may jump: surfaces are where they were until this is solved.
-        const bool is_solved = solve_fixed_configuration(t, {tolerance}) &&
-                               (!(my_uses_current_geometry || needs_geometry_update(true)) ||
-                                update_geometry_until_converged(t, tolerance, false));
-        if (!is_solved)
-          {
-            my_report.reason += "; bonds have failed in this load step (Strength), and the bodies "
-                                "may have come apart";
-            return false;
-          }
-      }
-    return true;
   }
 
 

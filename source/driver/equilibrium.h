@@ -4,6 +4,7 @@
 #include "accuracy/quantity.h"
 #include "driver/fixed_configuration_solver.h"
 #include "fields/snapshot.h"
+#include "solid/fluid_spread.h"
 
 #include <array>
 #include <functional>
@@ -152,9 +153,17 @@ namespace Signorini
     /// One attempt of solve_from(), without restoring the state if it fails.
     bool
     solve_from_start(const std::optional<LA::Vector> &start, double t, double tolerance);
-    /// After a solution at time t: solve again, from the present state, while bonds fail.
+    /// After a solution at time t: solve again, from the present state, while bonds fail or fluids
+    /// spread.
     bool
-    solve_while_bonds_fail(double t, double tolerance);
+    solve_while_state_changes(double t, double tolerance);
+    /// Before a load step: let fluids be where surfaces are open. Collective.
+    void
+    start_fluids();
+    /// After a solution: let fluids spread. Collective.
+    /// @return whether any has
+    bool
+    spread_fluids(FluidSpread spread);
     /// Store the last iterate of a failed load step, for failure().
     void
     store_failure(double t);

@@ -2,6 +2,7 @@
 // What the user wants to know must exist, which is checked before anything is solved.
 #include "driver/simulation.h"
 #include "fields/cross_sections.h"
+#include "solid/fluid_spread.h"
 
 namespace Signorini
 {
@@ -19,6 +20,7 @@ namespace Signorini
                  problem.decisions.pairs,
                  scene.output.probes,
                  is_final ? probe_tolerance : 0.5);
+    check_fluid_entries(*problem.elasticity);
     check_cross_sections(*problem.elasticity, scene.output.cross_sections);
     if (scene.expected.empty())
       return;

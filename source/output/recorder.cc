@@ -53,6 +53,7 @@ namespace Signorini
     Json one = {{"pairs", pair_results(now)}};
     one.update(force_results(now, scene.newton.tolerance));
     one["probes"]                  = probe_results(now, probes);
+    one["fluids"]                  = fluid_results(now);
     one["cross_sections"]          = section_results(now, scene.output.cross_sections);
     const SolutionErrors deviation = errors(now, scene.known);
     if (!scene.known.displacement.empty())

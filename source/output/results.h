@@ -70,6 +70,11 @@ namespace Signorini
   Json
   section_results(const Snapshot<dim> &snapshot, const std::vector<CrossSection<dim>> &sections);
 
+  /// @return the wet areas of loads with fluid entries, by the names of the loads. Collective.
+  template <int dim>
+  Json
+  fluid_results(const Snapshot<dim> &snapshot);
+
   /// @return the entries of results.json of a pair with friction: force, stick zone, the largest
   /// tangential traction, slips, the work that friction takes from the bodies, and the violations
   /// of the law. Collective.

@@ -62,6 +62,9 @@ namespace Signorini
       out << "  obstacle " << name << ":  moved by " << numbers(obstacle["displacement"])
           << ", rotated by " << numbers(obstacle["rotation"]) << ", force "
           << numbers(obstacle["force"]) << ", moment " << numbers(obstacle["moment"]) << "\n";
+    for (const auto &[name, fluid] : step["fluids"].items())
+      out << "  fluid " << name << ":  acts on an area of " << fluid["wet_area"].get<double>()
+          << " of " << fluid["area"].get<double>() << "\n";
     for (const auto &[name, section] : step["cross_sections"].items())
       {
         out << "  cross section " << name << ":  force " << numbers(section["force"]) << ", moment "

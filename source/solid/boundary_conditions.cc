@@ -112,6 +112,12 @@ namespace Signorini
                 pressure,
                 "formula in x,y,z,t; positive pushes into the body [force/area]");
     section.add(
+      "Fluid entry",
+      fluid_entries,
+      "where a fluid with that Pressure enters, points of the Boundaries, x,y,z; x,y,z; ...: it "
+      "acts on faces that it reaches from there, past others that are not in contact or whose contact "
+      "pressure is smaller; empty: on all of the Boundaries [length]");
+    section.add(
       "Total force",
       total_force,
       "on all Boundaries together, as a uniform traction, or shared equally by the Nodes: "
@@ -176,6 +182,8 @@ namespace Signorini
     // load.
     const bool acts = !traction.empty() || section.is_set("Pressure") || total_force.given() ||
                       total_moment.given();
+    if (!fluid_entries.empty() && (boundaries.empty() || !section.is_set("Pressure")))
+      section.fail("Fluid entry", "requires Boundaries and a Pressure");
     if (!boundaries.empty() && !acts)
       section.fail(
         "Traction",

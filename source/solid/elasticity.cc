@@ -8,10 +8,12 @@
 #include "solid/kernel.h"
 #include "solid/pressure_kernel.h"
 #include "solid/stress.h"
+#include "solid/wet_faces.h"
 #include <signorini/parameters/raw.h>
 #include <signorini/solid/rigid_pose.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -38,6 +40,17 @@ namespace Signorini
         result.push_back(of_bodies[mesh.body_of_material(id)]);
       return result;
     }
+
+    /// The loads; those of fluids get faces of their own, none at first.
+    template <int dim>
+    std::vector<Load<dim>>
+    with_wet_faces(std::vector<Load<dim>> loads)
+    {
+      for (Load<dim> &load : loads)
+        if (!load.fluid_entries.empty())
+          load.wet = std::make_shared<WetFaces>();
+      return loads;
+    }
   } // namespace
 
 
@@ -56,7 +69,7 @@ namespace Signorini
     : Displacements<dim>(
         mesh, supports, one_per_body(degrees, mesh), model, rigid_bodies, equations)
     , materials(materials)
-    , my_loads(loads)
+    , my_loads(with_wet_faces(loads))
     , strength(stabilisation)
     , thermal_strain(mesh, expansions, one_per_material(degrees, mesh), model)
     , my_volumetric_stress(mesh, materials, model)
@@ -79,6 +92,9 @@ namespace Signorini
     thermal_strain.reinit();
     my_volumetric_stress.reinit();
     my_history.reinit();
+    for (const Load<dim> &load : my_loads)
+      if (load.wet)
+        load.wet->faces.clear();
   }
 
 
@@ -285,8 +301,44 @@ namespace Signorini
     const SymmetricTensor<2, 3> of_displacement =
       thermal_strain.expands(cell.material_id()) ?
         elastic_strain(this->model(), material, gradient, u, x, thermal_strain.strain(cell, x)) :
-        strain(this->model(), material, gradient, u, x);
+        Signorini::strain(this->model(), material, gradient, u, x);
     return Signorini::stress(material, of_displacement) + volumetric * unit_symmetric_tensor<3>();
+  }
+
+
+
+  // In plane stress the strain across the sheet is that for which the stress across vanishes.
+  template <int dim>
+  SymmetricTensor<2, 3>
+  Elasticity<dim>::strain(const CellAccessor<dim> &cell,
+                          const Tensor<2, dim>    &gradient,
+                          const Tensor<1, dim>    &u,
+                          const Point<dim>        &x) const
+  {
+    const Material &material = materials[cell.material_id()];
+    if (!material.constitutive_law)
+      {
+        if (!thermal_strain.expands(cell.material_id()))
+          return Signorini::strain(this->model(), material, gradient, u, x);
+        const Tensor<1, 3>    thermal = thermal_strain.strain(cell, x);
+        SymmetricTensor<2, 3> result =
+          elastic_strain(this->model(), material, gradient, u, x, thermal);
+        for (unsigned int d = 0; d < 3; ++d)
+          result[d][d] += thermal[d];
+        return result;
+      }
+    std::vector<double> internal;
+    Tensor<2, 3>        F = deformation_gradient(this->model(), gradient, u, x);
+    response_at(this->model(),
+                material_point(cell, x, internal),
+                F,
+                ResponseOrder::stress); // sets F_zz
+    if (material.strain_measure == StrainMeasure::small)
+      return symmetrize(F) - unit_symmetric_tensor<3>();
+    SymmetricTensor<2, 3> result;
+    for (const auto &[square, direction] : eigenvectors(symmetrize(F * transpose(F))))
+      result += std::log(square) / 2 * symmetrize(outer_product(direction, direction));
+    return result;
   }
 
 

@@ -226,6 +226,18 @@ namespace Signorini
       return stabilisation;
     }
 
+    /// The total strain at a point x of a locally owned or ghost cell, in three dimensions, with
+    /// the thermal part: of bodies at small strain the linear one; of bodies with a law of finite
+    /// strain the logarithmic one, ln V with V^2 = F F^T, whose principal values are the logarithms
+    /// of the stretches.
+    /// @param gradient gradient of the displacement: [component][derivative]
+    /// @param u displacement at x
+    dealii::SymmetricTensor<2, 3>
+    strain(const dealii::CellAccessor<dim> &cell,
+           const dealii::Tensor<2, dim>    &gradient,
+           const dealii::Tensor<1, dim>    &u,
+           const dealii::Point<dim>        &x) const;
+
   private:
     void
     add_cells(LA::Vector &f) const;

@@ -311,7 +311,7 @@ namespace Signorini
         const Point<dim>    &x = face_values.quadrature_point(q);
         const Tensor<1, dim> force =
           face_values.JxW(q) * measure(model, x) *
-          surface_loads.at(cell->face(face)->boundary_id(), x).on(face_values.normal_vector(q));
+          surface_loads.at(*cell, face, x).on(face_values.normal_vector(q));
         for (const unsigned int i : face_values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[cell->get_fe().component_to_system_index(d, i)] +=

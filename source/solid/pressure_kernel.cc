@@ -4,7 +4,9 @@
 #include "solid/gradient_at_point.h"
 #include "solid/nan_check.h"
 #include "solid/scalar_elements.h"
+#include "solid/wet_faces.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -40,6 +42,16 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  has_follower_pressures(const Elasticity<dim> &elasticity)
+  {
+    return elasticity.is_finite_strain() &&
+           std::any_of(elasticity.loads().begin(), elasticity.loads().end(), is_follower_load<dim>);
+  }
+
+
+
   // Two sets of values on the same points: positions, normals and areas of the true surface, and
   // gradients by the mapping of the cell, in which the displacement is defined.
   template <int dim>
@@ -57,20 +69,12 @@ namespace Signorini
                     update_values | update_gradients | update_quadrature_points)
     , all_dofs(dofs_of_nodes(elasticity.finite_elements()))
   {
-    if (!elasticity.is_finite_strain())
+    if (!has_follower_pressures(elasticity))
       return;
     for (const Load<dim> &load : elasticity.loads())
       if (is_follower_load(load))
-        {
-          BoundaryIds ids; // names may have faces in common, which are loaded once
-          for (const std::string &boundary : load.boundaries)
-            {
-              const auto &more = elasticity.mesh().boundary_ids(boundary);
-              ids.insert(more.begin(), more.end());
-            }
-          for (const types::boundary_id id : ids)
-            by_boundary[id].push_back(&load);
-        }
+        for (const types::boundary_id id : boundaries_of(elasticity.mesh(), load))
+          by_boundary[id].push_back(&load);
   }
 
 
@@ -113,6 +117,12 @@ namespace Signorini
         const auto found = by_boundary.find(cell->face(f)->boundary_id());
         if (!cell->face(f)->at_boundary() || found == by_boundary.end())
           continue;
+        Loads acting;
+        for (const Load<dim> *load : found->second)
+          if (pressure_acts(*load, *cell, f))
+            acting.push_back(load);
+        if (acting.empty())
+          continue;
         const auto i = cell->active_fe_index();
         dofs         = &all_dofs[i];
         if (!acts)
@@ -127,7 +137,7 @@ namespace Signorini
         all_gradients.reinit(of_mesh, f, i, 0, i);
         values    = &all_values.get_present_fe_values();
         gradients = &all_gradients.get_present_fe_values();
-        add_face(found->second, u, forces, tangent);
+        add_face(acting, u, forces, tangent);
       }
     return acts;
   }
@@ -190,6 +200,10 @@ namespace Signorini
   dead_loads(const Elasticity<2> &);
   template std::vector<Load<3>>
   dead_loads(const Elasticity<3> &);
+  template bool
+  has_follower_pressures(const Elasticity<2> &);
+  template bool
+  has_follower_pressures(const Elasticity<3> &);
   template class PressureKernel<2>;
   template class PressureKernel<3>;
 } // namespace Signorini

@@ -18,6 +18,11 @@ namespace Signorini
   std::vector<Load<dim>>
   dead_loads(const Elasticity<dim> &elasticity);
 
+  /// True if there are pressures that follow the surface.
+  template <int dim>
+  bool
+  has_follower_pressures(const Elasticity<dim> &elasticity);
+
   /// Forces of follower pressures on the faces of one cell (doc/theory, (6.4)): -int p cof(F) N . v
   /// dA over the reference face, since n da = cof(F) N dA with cof(F) = J F^-T (Nanson's formula);
   /// p is that at the reference position. Their derivative for a displacement w is, with G = F^-1

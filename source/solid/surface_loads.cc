@@ -3,6 +3,7 @@
 
 #include "solid/nan_check.h"
 #include "solid/scalar_elements.h"
+#include "solid/wet_faces.h"
 
 #include <deal.II/hp/fe_values.h>
 
@@ -13,20 +14,15 @@ namespace Signorini
 {
   using namespace dealii;
 
-  namespace
+  template <int dim>
+  BoundaryIds
+  boundaries_of(const Mesh<dim> &mesh, const Load<dim> &load)
   {
-    /// The boundary ids of a load, each once: boundaries of different names may share faces, which
-    /// are loaded once.
-    template <int dim>
-    BoundaryIds
-    boundaries_of(const Mesh<dim> &mesh, const Load<dim> &load)
-    {
-      BoundaryIds ids;
-      for (const std::string &boundary : load.boundaries)
-        ids.insert(mesh.boundary_ids(boundary).begin(), mesh.boundary_ids(boundary).end());
-      return ids;
-    }
-  } // namespace
+    BoundaryIds ids;
+    for (const std::string &boundary : load.boundaries)
+      ids.insert(mesh.boundary_ids(boundary).begin(), mesh.boundary_ids(boundary).end());
+    return ids;
+  }
 
 
 
@@ -155,16 +151,16 @@ namespace Signorini
   // boundary.
   template <int dim>
   SurfaceLoad<dim>
-  SurfaceLoads<dim>::at(const types::boundary_id id, const Point<dim> &x)
+  SurfaceLoads<dim>::at(const CellAccessor<dim> &cell, const unsigned int face, const Point<dim> &x)
   {
     SurfaceLoad<dim> result;
-    const auto       found = by_boundary.find(id);
+    const auto       found = by_boundary.find(cell.face(face)->boundary_id());
     if (found == by_boundary.end())
       return result;
     for (const Load<dim> *load : found->second)
       {
         const Tensor<1, dim> traction = load->traction_at(x, t);
-        const double         pressure = load->pressure.value(x, t);
+        const double pressure = pressure_acts(*load, cell, face) ? load->pressure.value(x, t) : 0.;
         if (check_finite_value(traction.norm(), *load, "Traction", load->traction.text(), x))
           result.traction += traction;
         if (check_finite_value(pressure, *load, "Pressure", load->pressure.formula(), x))
@@ -213,9 +209,10 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template class SurfaceLoads<dim>;                                                                \
-  template bool surface_loads_vary(const Mesh<dim> &,                                              \
-                                   const std::vector<Load<dim>> &,                                 \
-                                   const std::string &);
+  template BoundaryIds boundaries_of(const Mesh<dim> &, const Load<dim> &);                        \
+  template bool        surface_loads_vary(const Mesh<dim> &,                                       \
+                                          const std::vector<Load<dim>> &,                          \
+                                          const std::string &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

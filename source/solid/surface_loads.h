@@ -26,6 +26,12 @@ namespace Signorini
     }
   };
 
+  /// The boundary ids of a load, each once: boundaries of different names may share faces, which
+  /// are loaded once.
+  template <int dim>
+  BoundaryIds
+  boundaries_of(const Mesh<dim> &mesh, const Load<dim> &load);
+
   /// Tractions, pressures and total forces on boundaries at one time. Refers to the loads.
   template <int dim>
   class SurfaceLoads
@@ -52,10 +58,11 @@ namespace Signorini
       return by_boundary.count(id) > 0;
     }
 
-    /// The load at a point of the reference configuration. Values that are not finite are skipped,
-    /// see fault().
+    /// The load at a point of a boundary face in the reference configuration. Values that are not
+    /// finite are skipped, see fault().
+    /// @param cell of the mesh, or of a DoFHandler on it
     SurfaceLoad<dim>
-    at(dealii::types::boundary_id id, const dealii::Point<dim> &x);
+    at(const dealii::CellAccessor<dim> &cell, unsigned int face, const dealii::Point<dim> &x);
 
     /// A message about the first formula that had no finite value on this rank; empty if there is
     /// none.

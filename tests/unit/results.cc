@@ -131,6 +131,7 @@ namespace
                                                          {"degrees", "BODY"},
                                                          {"load_steps/N/bodies", "BODY"},
                                                          {"load_steps/N/probes", "PROBE"},
+                                                         {"load_steps/N/fluids", "LOAD"},
                                                          {"load_steps/N/cross_sections", "SECTION"},
                                                          {"preflight/bodies", "BODY"},
                                                          {"preflight/bodies/BODY/boundaries",
@@ -304,7 +305,7 @@ namespace
       "\nend\nsubsection side\nset Type = symmetry\nset Boundaries = block.left\nend\n" +
       (flat ? "" : "subsection back\nset Type = symmetry\nset Boundaries = block.front\nend\n") +
       "end\nsubsection Contact pairs\nset Names = foot\nsubsection foot\nset Slave = block.bottom\n"
-      "set Master = ground\nend\nend\nsubsection Output\nset Linear reference = yes\nsubsection "
+      "set Master = ground\nend\nend\nsubsection Output\nset Strain = yes\nset Linear reference = yes\nsubsection "
       "Probes\nset Names = middle, under\nsubsection middle\nset Point = " +
       (flat ? "1, 0.5" : "1, 1, 0.5") +
       "\nend\nsubsection under\nset Pair = foot\nset Points = 4\nset Point = " +
@@ -327,7 +328,12 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
   const std::string warm = replaced(blocks,
                                     "end\nsubsection upper",
                                     "set Thermal expansion = 1e-9\nset Temperature = 1\nend\n"
-                                    "subsection upper");
+                                    "subsection upper"),
+                    wet  = replaced(warm,
+                                   "subsection Supports\n",
+                                   "subsection Loads\nset Names = water\nsubsection water\nset "
+                                    "Boundaries = lower.right\nset Pressure = 1e-3\nset Fluid "
+                                    "entry = 4, 0\nend\nend\nsubsection Supports\n");
   const std::string hopeless =
     replaced(blocks, "subsection Newton\n", "subsection Newton\nset Maximum steps = 1\n");
   const std::string wanted = replaced(blocks,
@@ -350,7 +356,7 @@ TEST_CASE("doc/guide/results.md describes what is written, and all of that is wr
                                "subsection joint\n",
                                "subsection joint\nset Law = tied\nset Strength = 1e9\n"));
   REQUIRE(bonded.code == solved);
-  const Solved one(Two(), warm), two(Two(), pressed_block<2>()), three(Three(), pressed_block<3>()),
+  const Solved one(Two(), wet), two(Two(), pressed_block<2>()), three(Three(), pressed_block<3>()),
     failed(Two(), hopeless, true);
   REQUIRE(one.code == solved);
   REQUIRE(two.code == solved);
@@ -415,6 +421,16 @@ TEST_CASE_TEMPLATE("uniaxial stress as a tensor, by names, principal and as a tr
   for (unsigned int i = 0; i < 3; ++i)
     CHECK(probe["principal_stress"][i].template get<double>() ==
           doctest::Approx(i == 2 ? -1 : 0).epsilon(1e-8));
+  // Poisson's ratio is 1/4.
+  REQUIRE(probe["strain"].size() == 6);
+  for (const auto &[name, value] : probe["strain"].items())
+    CHECK(value.template get<double>() == doctest::Approx(name == normal     ? -0.01 :
+                                                          name[0] == name[1] ? 0.0025 :
+                                                                               0)
+                                            .epsilon(1e-8));
+  for (unsigned int i = 0; i < 3; ++i)
+    CHECK(probe["principal_strain"][i].template get<double>() ==
+          doctest::Approx(i == 2 ? -0.01 : 0.0025).epsilon(1e-8));
 
   const Json &under = run.results["load_steps"].back()["probes"]["under"];
   REQUIRE(under.size() == 4);
@@ -431,6 +447,8 @@ TEST_CASE_TEMPLATE("uniaxial stress as a tensor, by names, principal and as a tr
   const std::vector<float> tensor    = values_of(out / "solution_0001.0.vtu", "stress"),
                            least     = values_of(out / "solution_0001.0.vtu", "principal_stress_3"),
                            largest   = values_of(out / "solution_0001.0.vtu", "principal_stress_1"),
+                           strain    = values_of(out / "solution_0001.0.vtu", "strain"),
+                           shortest  = values_of(out / "solution_0001.0.vtu", "principal_strain_3"),
                            traction  = values_of(out / "contact_0001.0.vtu", "traction"),
                            pressures = values_of(out / "contact_0001.0.vtu", "pressure");
   REQUIRE(tensor.size() == 9 * least.size());
@@ -442,6 +460,14 @@ TEST_CASE_TEMPLATE("uniaxial stress as a tensor, by names, principal and as a tr
       CHECK(least[i] == doctest::Approx(-1).epsilon(1e-5));
       CHECK(largest[i] == doctest::Approx(0).epsilon(1e-5));
     }
+  REQUIRE(strain.size() == tensor.size());
+  for (std::size_t i = 0; i < strain.size(); ++i)
+    CHECK(strain[i] == doctest::Approx(i % 9 % 4 > 0               ? 0 :
+                                       i % 9 == (dim == 2 ? 4 : 8) ? -0.01 :
+                                                                     0.0025)
+                         .epsilon(1e-5));
+  for (const float value : shortest)
+    CHECK(value == doctest::Approx(-0.01).epsilon(1e-5));
   // The ground pushes the block up.
   REQUIRE(traction.size() == 3 * pressures.size());
   REQUIRE(!pressures.empty());

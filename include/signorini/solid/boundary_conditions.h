@@ -5,12 +5,14 @@
 #include <signorini/parameters/time_span.h>
 #include <signorini/solid/local_axes.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace Signorini
 {
   class Section;
+  struct WetFaces;
 
   /// The nodes on which a support or a load acts, besides its boundaries.
   struct NodeChoice
@@ -86,14 +88,18 @@ namespace Signorini
     std::string              name;
     std::vector<std::string> boundaries;
     /// Locations of boundaries and bodies in the scene file, for messages.
-    std::string              place, bodies_location;
-    VectorExpression<dim>    traction;   ///< [force/area]
-    Expression<dim>          pressure;   ///< [force/area], positive pushes into the body
-    std::vector<std::string> bodies;     ///< "body", or "body.set" of cells
-    VectorExpression<dim>    body_force; ///< [force/volume]
-    NodeChoice               nodes;
-    VectorExpression<dim>    force;       ///< at each node, or at the point [force]
-    VectorExpression<dim>    total_force; ///< on all boundaries or nodes of this load [force]
+    std::string           place, bodies_location;
+    VectorExpression<dim> traction; ///< [force/area]
+    Expression<dim>       pressure; ///< [force/area], positive pushes into the body
+    /// Where a fluid with that pressure enters [length]; none: it acts on all of the boundaries.
+    std::vector<dealii::Point<dim>> fluid_entries;
+    /// The faces on which it acts at present, of loads with entries; null: all.
+    std::shared_ptr<WetFaces> wet;
+    std::vector<std::string>  bodies;     ///< "body", or "body.set" of cells
+    VectorExpression<dim>     body_force; ///< [force/volume]
+    NodeChoice                nodes;
+    VectorExpression<dim>     force;       ///< at each node, or at the point [force]
+    VectorExpression<dim>     total_force; ///< on all boundaries or nodes of this load [force]
     /// On all boundaries of this load, about `reference` [force length].
     VectorExpression<dim, dim == 2 ? 1 : 3> total_moment;
     /// Where the total force acts [length]; empty: at the centre of the boundaries.

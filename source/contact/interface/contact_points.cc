@@ -279,7 +279,7 @@ namespace Signorini
         NormalStress<dim> &stress = *of_body;
         if (is_new)
           stress.reinit(cell);
-        const auto load = loads->at(cell->face(face)->boundary_id(), point.position);
+        const auto load = loads->at(*cell, face, point.position);
         set_stress(stress.at(unit_point<dim>(face, paired.xi),
                              stress_directions(paired.master_point.normal, method.uses_slip()),
                              rest.normal(paired.xi),

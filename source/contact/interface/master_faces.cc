@@ -74,8 +74,7 @@ namespace Signorini
         auto directions = stress_directions(master_point.normal, with_slip);
         for (Tensor<1, dim> &direction : directions)
           direction = -image.at_master(direction);
-        const auto load =
-          loads->at(cell->face(face)->boundary_id(), image.origin_of(master_point.rest));
+        const auto load     = loads->at(*cell, face, image.origin_of(master_point.rest));
         BodyStress now      = stress->at(unit_point<dim>(face, xi),
                                     directions,
                                     image.at_master(boundary.rest[i].normal(xi)),
