@@ -56,7 +56,9 @@ namespace Signorini
       {"punch", "A flat circular face (in 2D a strip) with rounded edges at the end of a shaft."},
       {"cone", "A circular cone (in 2D a wedge)."},
       {"gap function", "Any surface, by a formula for the gap along one direction."},
-      {"STL", "A surface of triangles from an STL file; the gap is the signed distance. 3D only."},
+      {"STL",
+       "A surface of triangles from an STL file, or of the surface elements of a mesh file; the gap is the signed "
+       "distance. 3D only."},
       {"attached",
        "The surface of the slaves itself, as a rigid body: with Law = tied, a rigid coupling to the Reference "
        "point."}};

@@ -1069,6 +1069,41 @@ TEST_CASE("import: ties")
 
 
 
+// A plate of R3D4 on the top of a cube, whose corners go around anticlockwise as seen from above.
+TEST_CASE("import: rigid bodies of surface elements are obstacles")
+{
+  const auto deck = [](const std::string &side, const std::string &acts) {
+    return cube +
+           "*NODE\n9, 0.5, 0.5, 3.\n11, -1, -1, 1\n12, 2, -1, 1\n13, 2, 2, 1\n14, -1, 2, 1\n" +
+           "*ELEMENT, TYPE=R3D4, ELSET=plate\n7, 11, 12, 13, 14\n*ELSET, ELSET=e\n1\n" +
+           "*SURFACE, NAME=top\n1, S2\n*SURFACE, NAME=tool\nplate, " + side +
+           "\n*RIGID BODY, ELSET=plate, REF NODE=9\n" + of_cube +
+           "*SOLID SECTION, ELSET=e, MATERIAL=m\n*SURFACE INTERACTION, NAME=i\n" +
+           "*CONTACT PAIR, INTERACTION=i\ntop, tool\n*BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n4, 1, 3\n" +
+           "9, 1, 2\n9, 4, 6\n*STEP\n*STATIC\n1., 1.\n" + acts + "*END STEP\n";
+  };
+  for (const auto &[side, sign] : {std::make_pair("SNEG", -1.), std::make_pair("SPOS", 1.)})
+    {
+      const TemporaryFile file(deck(side, "*BOUNDARY\n9, 3, 3, -0.01\n"), ".inp");
+      const auto [text, messages] = imported(file.path);
+      const Scene<3> scene        = checked<3>(text);
+      CHECK(messages.empty());
+      REQUIRE(scene.pairs.size() == 1);
+      CHECK(scene.pairs[0].master == "tool");
+      REQUIRE(scene.obstacles.size() == 1);
+      const Obstacle<3> &tool = scene.obstacles[0];
+      CHECK(tool.body.displacement.value({}, 0.5)[2] == doctest::Approx(-0.005));
+      CHECK_FALSE(tool.body.is_free(2));
+      CHECK(tool.shape->closest(Point<3>(0.5, 0.5, 0.8)).gap == doctest::Approx(-0.2 * sign));
+    }
+  const TemporaryFile file(deck("SNEG", "*CLOAD\n9, 3, -4.\n"), ".inp");
+  const Scene<3>      scene = checked<3>(imported(file.path).first);
+  CHECK(scene.obstacles.at(0).body.is_free(2));
+  CHECK(scene.obstacles.at(0).body.force.value({}, 0.5)[2] == doctest::Approx(-2));
+}
+
+
+
 // Reference nodes 9 (motion) and 10 (rotation) of the top of a cube.
 TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
 {
@@ -1212,6 +1247,14 @@ TEST_CASE("import: elements that are removed in the first step are not in the me
   const auto [text, messages] = imported(file.path);
   CHECK(messages.empty());
   CHECK(checked<3>(text).bodies.size() == 2);
+  // A pair whose surface is removed acts nowhere, and nothing of it is left out.
+  const TemporaryFile pair(
+    with("*SURFACE, NAME=a\n1, S2\n*SURFACE, NAME=b\n2, S2\n*SURFACE INTERACTION, NAME=i\n"
+         "*CONTACT PAIR, INTERACTION=i\na, b\n" +
+           change + "REMOVE\nout\n",
+         ""),
+    ".inp");
+  CHECK(imported(pair.path).second.empty());
   const TemporaryFile back(with(change + "REMOVE\nout\n", change + "ADD\nout\n"), ".inp");
   const auto [whole, reports] = imported(back.path);
   CHECK(checked<3>(whole).bodies.size() == 1);

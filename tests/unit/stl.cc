@@ -258,3 +258,33 @@ TEST_CASE("STL: what cannot be used is said")
   std::swap(turned[0][0], turned[0][1]);
   says(attempt(as_text(turned)), "face to different sides");
 }
+
+
+
+// The unit square in the plane z = 0, its normal up, as two quadrilaterals of a deck, and a
+// triangle beside it.
+TEST_CASE("surface elements of mesh files are obstacles, seen from either side")
+{
+  const std::string deck =
+    "*NODE\n1, 0, 0, 0\n2, 0.5, 0, 0\n3, 1, 0, 0\n4, 0, 1, 0\n5, 0.5, 1, 0\n6, 1, 1, 0\n"
+    "7, 5, 0, 3\n8, 6, 0, 3\n9, 5, 1, 3\n"
+    "*ELEMENT, TYPE=R3D4, ELSET=tool\n1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n"
+    "*ELEMENT, TYPE=R3D3, ELSET=other\n3, 7, 8, 9\n"
+    "*SURFACE, NAME=up\ntool, SPOS\n*SURFACE, NAME=down\ntool, SNEG\n";
+  const TemporaryFile file(deck, ".inp");
+  const Point<3>      above(0.7, 0.3, 0.25);
+  for (const auto &[surface, sign] :
+       {std::make_pair("up", 1.), std::make_pair("DOWN", -1.), std::make_pair("tool", 1.)})
+    {
+      CAPTURE(surface);
+      const ObstaclePoint<3> at = obstacle(file, {{"Surface", surface}}).shape->closest(above);
+      CHECK(at.gap == doctest::Approx(0.25 * sign));
+      CHECK((at.normal - Tensor<1, 3>({0, 0, sign})).norm() < 1e-14);
+    }
+  CHECK(obstacle(file).shape->closest(Point<3>(5.2, 0.2, 4)).gap == doctest::Approx(1));
+  CHECK(obstacle(file, {{"Scale", "2"}, {"Offset", "0, 0, 1"}}).shape->closest(above).gap ==
+        doctest::Approx(-0.75));
+  CHECK_THROWS_WITH_AS(obstacle(file, {{"Surface", "side"}}),
+                       doctest::Contains("has no set 'side'"),
+                       SceneError);
+}

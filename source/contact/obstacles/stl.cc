@@ -2,6 +2,8 @@
 #include "contact/obstacles/shapes.h"
 #include "contact/obstacles/triangle_surface.h"
 #include "mesh/generators/file.h"
+#include "mesh_import/formats/keyword_file.h"
+#include "mesh_import/mesh_file.h"
 #include <signorini/parameters/section.h>
 
 #include <filesystem>
@@ -12,7 +14,8 @@ namespace Signorini
 
   namespace
   {
-    /// A surface of triangles from an STL file, scaled and translated.
+    /// A surface of triangles from an STL file, or of surface elements of a mesh file, scaled and
+    /// translated.
     template <int dim>
     class Stl : public ObstacleShape<dim>
     {
@@ -20,7 +23,15 @@ namespace Signorini
       void
       declare(Section &section) override
       {
-        section.add("File", file, "STL file, text or binary, beside the scene; 3D only");
+        section.add("File",
+                    file,
+                    "STL file, text or binary, or mesh file (" + mesh_formats() +
+                      ") with surface elements, beside the scene; 3D only");
+        section.add(
+          "Surface",
+          set_name,
+          "set of surface elements of a mesh file; empty: all; outside is where corners go "
+          "around anticlockwise");
         section.add("Scale", scale, "factor of the file's coordinates", positive);
         section.add("Offset", offset, "translation after scaling [length]");
         if (!section.reading())
@@ -42,7 +53,11 @@ namespace Signorini
             const std::string path = find_beside_scene(file, folder);
             if (file_exists(path))
               file = std::filesystem::absolute(path).lexically_normal(); // for the written scene
-            Triangles triangles = read_stl(path);
+            const bool is_stl =
+              upper_case(std::filesystem::path(path).extension().string()) == ".STL";
+            if (is_stl && !set_name.empty())
+              throw SceneError("STL files have no sets; remove Surface");
+            Triangles triangles = is_stl ? read_stl(path) : read_mesh_surface(path, set_name);
             for (auto &vertex : triangles.vertices)
               for (unsigned int d = 0; d < dim; ++d)
                 vertex[d] = scale * vertex[d] + offset[d];
@@ -74,11 +89,11 @@ namespace Signorini
           }
         catch (const SceneError &error)
           {
-            throw SceneError("STL file '" + path + "' " + error.what());
+            throw SceneError("surface file '" + path + "' " + error.what());
           }
       }
 
-      std::string                            file, place; ///< in the scene
+      std::string                            file, set_name, place; ///< in the scene
       double                                 scale = 1;
       Point<dim>                             offset;
       std::shared_ptr<const TriangleSurface> surface;

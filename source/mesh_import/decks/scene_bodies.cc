@@ -217,8 +217,11 @@ namespace Signorini
       }
     for (const auto &pair : model.pairs)
       {
+        const auto        rigid   = rigid_masters.find(upper_case(pair.master));
         const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),
-                          masters = surfaces(pair.master, "the master of a contact pair");
+                          masters = rigid != rigid_masters.end() ?
+                                      rigid->second :
+                                      surfaces(pair.master, "the master of a contact pair");
         // A pair whose interaction is missing has hard contact, the default.
         auto interaction = model.interactions.find(pair.interaction);
         if (!pair.interaction.empty() && interaction == model.interactions.end())

@@ -204,7 +204,12 @@ namespace Signorini
     std::vector<DeckModel::Coupling> imported;
     for (const DeckModel::Coupling &one : model.couplings)
       {
-        Reference   at   = reference(one);
+        Reference at = reference(one);
+        if (add_rigid_surfaces(one, at, names, items))
+          {
+            imported.push_back(one);
+            continue;
+          }
         const auto &held = one.components;
         const auto  axis = only_axis(one);
         const bool  is_whole =

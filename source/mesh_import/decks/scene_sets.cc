@@ -172,11 +172,31 @@ namespace Signorini
       for (const std::string &boundary : body.boundaries)
         if (upper_case(boundary) == upper_case(surface) && of_faces.count(boundary) > 0)
           result.push_back(body.name + "." + boundary);
-    if (result.empty())
+    if (result.empty() && !is_removed(surface))
       model.skip_item(what + " on '" + surface + "', which has no whole face of a solid",
                       "",
                       what == "a pressure" ? "load" : "pair");
     return join(result);
+  }
+
+
+
+  /// @return whether a surface has faces, all of them on elements that the deck removes for good.
+  bool
+  SceneWriter::is_removed(const std::string &surface) const
+  {
+    const MeshFile                 &mesh  = model.deck.mesh;
+    const std::set<DeckModel::Face> faces = model.faces_of(surface);
+    return !faces.empty() && std::all_of(faces.begin(), faces.end(), [&](const auto &face) {
+      return std::any_of(model.deck.removed_elements.begin(),
+                         model.deck.removed_elements.end(),
+                         [&](const unsigned int e) {
+                           const auto &nodes = mesh.elements[e].nodes;
+                           return std::all_of(face.begin(), face.end(), [&](const auto node) {
+                             return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+                           });
+                         });
+    });
   }
 
 

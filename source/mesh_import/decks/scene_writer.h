@@ -177,6 +177,15 @@ namespace Signorini
     is_a_node(const DeckModel::AtNodes &at) const;
     std::string
     surfaces(const std::string &surface, const std::string &what);
+    std::vector<std::string>
+    masters_on(const DeckModel::Coupling &one) const;
+    bool
+    add_rigid_surfaces(const DeckModel::Coupling &one,
+                       const Reference           &at,
+                       SetNames                  &names,
+                       std::vector<SceneItem>    &items);
+    bool
+    is_removed(const std::string &surface) const;
     double
     thickness_at(const std::vector<unsigned int> &nodes) const;
     std::string
@@ -227,6 +236,8 @@ namespace Signorini
     std::set<double> kinks;
     /// Pairs of rigid couplings, loads of distributing ones.
     std::vector<SceneItem> coupled_pairs, coupled_loads;
+    /// Obstacles by the masters, in upper case, that are surfaces of rigid bodies.
+    std::map<std::string, std::string> rigid_masters;
     /// Nodes on no body whose motions or forces equations contain.
     std::set<unsigned int> nodes_in_equations;
     /// Supports that begin in a later step, with their times.

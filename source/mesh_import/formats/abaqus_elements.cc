@@ -156,14 +156,14 @@ namespace Signorini
           {"S2", {1, 2}},
           {"S3", {2, 0}},
           {"SPOS", {0, 1, 2}},
-          {"SNEG", {0, 1, 2}}}},
+          {"SNEG", {0, 2, 1}}}},
         {Shape::quadrilateral,
          {{"S1", {0, 1}},
           {"S2", {1, 2}},
           {"S3", {2, 3}},
           {"S4", {3, 0}},
           {"SPOS", {0, 1, 2, 3}},
-          {"SNEG", {0, 1, 2, 3}}}}};
+          {"SNEG", {0, 3, 2, 1}}}}};
       static const Faces none;
       const auto         found = faces.find(shape);
       return found == faces.end() ? none : found->second;
