@@ -8,28 +8,41 @@ namespace Signorini
 {
   using namespace dealii;
 
-  // The forces of contact pressures tell where surfaces are open, on slaves and masters alike.
+  /// Gaps of surfaces that touch, relative to the size of the model.
+  static constexpr double rounding_of_gaps = 1e-10;
+
+  // The forces of contact pressures tell where surfaces are closed, on slaves and masters alike.
   // Tied surfaces are sealed, whatever they bear. Methods that take loads on the surfaces from the
   // normal stress search again.
   template <int dim>
   bool
   Equilibrium<dim>::spread_fluids(const FluidSpread spread)
   {
-    const GapOperator &points   = contact.gap_operator();
-    PointVectors       pressure = points.zeros(), tied = pressure;
-    pressure[0] = configuration_solver.contact_state().pressure();
-    for (const auto i : pressure[0].locally_owned_elements())
-      if (status_of(points.coefficients.least_status(i)) == ContactStatus::stick)
-        tied[0](i) = 1;
-    tied[0].compress(VectorOperation::insert);
-    const bool has_spread = Signorini::spread_fluids(elasticity,
-                                                     state.displacement,
-                                                     points.total_force(pressure, pressure),
-                                                     points.total_force(tied, tied),
-                                                     spread);
-    if (has_spread && scene.contact.chosen().pressure_shift() == PressureShift::normal_stress)
+    const GapOperator  &points   = contact.gap_operator();
+    const ContactState &state_of = configuration_solver.contact_state();
+    const double        near     = rounding_of_gaps * elasticity.mesh().size();
+    const LA::Vector    gaps     = points.gap(state.displacement);
+    PointVectors        pressure = points.zeros(), touching = points.zeros(), tied = points.zeros();
+    for (const auto i : gaps.locally_owned_elements())
+      {
+        const double pressure_at = state_of.pressure()(i);
+        pressure[0](i)           = pressure_at;
+        touching[0](i) =
+          is_closed(state_of.status(i)) || pressure_at > 0 || gaps(i) <= near ? 1. : 0.;
+        tied[0](i) =
+          status_of(points.coefficients.least_status(i)) == ContactStatus::stick ? 1. : 0.;
+      }
+    for (PointVectors *one : {&pressure, &touching, &tied})
+      (*one)[0].compress(VectorOperation::insert);
+    const bool has_changed = Signorini::spread_fluids(elasticity,
+                                                      state.displacement,
+                                                      {points.total_force(pressure, pressure),
+                                                       points.total_force(touching, touching),
+                                                       points.total_force(tied, tied)},
+                                                      spread);
+    if (has_changed && scene.contact.chosen().pressure_shift() == PressureShift::normal_stress)
       configuration_solver.find_contact(true);
-    return has_spread;
+    return has_changed;
   }
 
 
@@ -39,24 +52,37 @@ namespace Signorini
   void
   Equilibrium<dim>::start_fluids()
   {
-    if (has_fluids(elasticity.loads()) &&
-        Utilities::MPI::max(state.contact.empty() ? 0 : 1, elasticity.mesh().communicator()) > 0)
+    if (!has_fluids(elasticity.loads()))
+      return;
+    const bool is_first =
+      Utilities::MPI::max(state.contact.empty() ? 0 : 1, elasticity.mesh().communicator()) == 0;
+    if (is_first)
+      Signorini::spread_fluids(elasticity, state.displacement, {}, FluidSpread::nowhere);
+    else
       spread_fluids(FluidSpread::open_faces);
   }
 
 
 
   // Each solution decides which bonds fail next, and where fluids go. Ends since there are finitely
-  // many points and faces, and failed bonds and wet faces stay so. Collective.
+  // many points and faces: failed bonds stay so, and wet faces too, but that those which have
+  // closed are left once. Collective.
   template <int dim>
   bool
   Equilibrium<dim>::solve_while_state_changes(const double t, const double tolerance)
   {
+    const bool with_fluids = has_fluids(elasticity.loads());
+    bool       may_dry     = true;
     for (;;)
       {
         const bool bonds_fail = configuration_solver.break_bonds();
-        if (!bonds_fail &&
-            !(has_fluids(elasticity.loads()) && spread_fluids(FluidSpread::next_faces)))
+        bool has_spread = !bonds_fail && with_fluids && spread_fluids(FluidSpread::next_faces);
+        if (!bonds_fail && !has_spread && with_fluids && may_dry)
+          {
+            may_dry    = false;
+            has_spread = spread_fluids(FluidSpread::without_closed_faces);
+          }
+        if (!bonds_fail && !has_spread)
           return true;
         previous_steps = my_report.steps;
         // Where bonds fail, bodies may jump: surfaces are where they were until this is solved.

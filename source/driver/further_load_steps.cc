@@ -2,6 +2,7 @@
 // Load steps that are added to a finished run.
 #include "checkpoint/origin.h"
 #include "driver/run_checkpoints.h"
+#include "solid/fluid_spread.h"
 #include "solid/reactions.h"
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
@@ -123,6 +124,9 @@ namespace Signorini
       throw SceneError(
         beginning + "Supports prescribe other displacements than those that were solved; let them "
                     "continue from there, or set a Start time of new ones");
+    // Where fluids are is found in the next load step.
+    if (has_fluids(elasticity.loads()))
+      return;
     const Json          &step = recorder.load_steps().back();
     const Tensor<1, dim> load = reactions(elasticity, then, elasticity.zero_vector()).load.force;
     Tensor<1, dim>       before;

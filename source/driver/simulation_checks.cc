@@ -3,10 +3,61 @@
 #include "driver/simulation.h"
 #include "fields/cross_sections.h"
 #include "solid/fluid_spread.h"
+#include "solid/surface_loads.h"
+#include <signorini/base/scene_error.h>
+
+#include <algorithm>
 
 namespace Signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// Throws SceneError where a fluid would act on one of two surfaces alone, or push a rigid body
+    /// that a force drives, on which no pressure acts. Collective.
+    template <int dim>
+    void
+    check_fluids(const Elasticity<dim> &elasticity, const std::vector<ContactPair<dim>> &pairs)
+    {
+      check_fluid_entries(elasticity);
+      const Mesh<dim> &mesh = elasticity.mesh();
+      for (const Load<dim> &load : elasticity.loads())
+        for (const ContactPair<dim> &pair : pairs)
+          {
+            if (load.fluid_entries.empty())
+              continue;
+            const BoundaryIds wet     = boundaries_of(mesh, load);
+            const auto        acts_on = [&](const std::string &boundary) {
+              const BoundaryIds &ids = mesh.boundary_ids(boundary);
+              return std::any_of(ids.begin(), ids.end(), [&](const auto id) {
+                return wet.count(id) > 0;
+              });
+            };
+            const std::string beginning = "Loads/" + load.name +
+                                          "/Fluid entry: the fluid between the surfaces of pair " +
+                                          pair.name + " ";
+            const auto &rigid = elasticity.rigid_bodies();
+            const auto  body  = std::find_if(rigid.begin(), rigid.end(), [&](const auto &one) {
+              return one.name == pair.master;
+            });
+            const bool  is_obstacle =
+              mesh.boundaries().end() ==
+              std::find(mesh.boundaries().begin(), mesh.boundaries().end(), pair.master);
+            for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+              if (body != rigid.end() && body->is_free(i) && acts_on(pair.slave))
+                throw SceneError(
+                  beginning + "would push on the obstacle '" + pair.master +
+                  "', which a force drives; prescribe its motion, or make it a body");
+            if (!is_obstacle && acts_on(pair.slave) != acts_on(pair.master))
+              throw SceneError(beginning + "acts on both; add " +
+                               (acts_on(pair.slave) ? pair.master : pair.slave) +
+                               " to the Boundaries of the load");
+          }
+    }
+  } // namespace
+
+
 
   // Probes must be inside of bodies, planes must cut them, and expected results must name entries
   // that results will have, which is found by evaluating the outputs of the undeformed state.
@@ -20,7 +71,7 @@ namespace Signorini
                  problem.decisions.pairs,
                  scene.output.probes,
                  is_final ? probe_tolerance : 0.5);
-    check_fluid_entries(*problem.elasticity);
+    check_fluids(*problem.elasticity, problem.decisions.pairs);
     check_cross_sections(*problem.elasticity, scene.output.cross_sections);
     if (scene.expected.empty())
       return;

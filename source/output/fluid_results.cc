@@ -13,7 +13,9 @@ namespace Signorini
       if (load.wet)
         {
           const WetArea area = wet_area(s.elasticity, load);
-          result[load.name]  = {{"wet_area", area.wet}, {"area", area.total}};
+          result[load.name]  = {{"wet_area", area.wet},
+                                {"area", area.total},
+                                {"force_at_edge", area.at_edge}};
         }
     return result;
   }

@@ -310,7 +310,7 @@ namespace Signorini
       // its tolerance. A body that moves freely has large displacements without forces.
       const double motion = s.displacement.linfty_norm();
       // Bodies that have come back to their places have the rounding of strains alone.
-      const double rounding = 10 * std::numeric_limits<double>::epsilon() * mesh.size();
+      const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * mesh.size();
       return (motion <= rounding ? rounding : 10 * tolerance * motion) * stiffest *
              (is_plane ? 1. : mesh.size());
     }

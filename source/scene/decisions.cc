@@ -256,6 +256,15 @@ namespace Signorini
       }
     if (finite_strain)
       check_finite_strain();
+    for (const Load<dim> &load : scene.loads)
+      if (!load.fluid_entries.empty() && !scene.goals.quantities.empty())
+        throw SceneError("Accuracy/Quantity = " + scene.goals.quantities.front() +
+                         ": error bars do not know where the edge of the fluid of Loads/" +
+                         load.name + " is; remove it, or its Fluid entry");
+    if (scene.contact.chosen().has_late_ties && scene.contact.geometry == ContactGeometry::updated)
+      throw SceneError(
+        "Contact method/Contact geometry = updated: tied pairs with a Start time have "
+        "the points of the undeformed bodies; set automatic or reference");
     if (scene.contact.chosen().has_friction)
       check_friction();
     if (!pairs_are_open)

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/fluid_spread.h"
 
-#include "solid/cell_nodes.h"
-#include "solid/gradient_at_point.h"
-#include "solid/scalar_elements.h"
+#include "base/solver_failure.h"
+#include "solid/fluid_faces.h"
 #include "solid/wet_faces.h"
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 
 namespace Signorini
@@ -21,24 +20,6 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    using FluidCell = typename DoFHandler<dim>::active_cell_iterator;
-
-    /// A face of a load on this rank.
-    template <int dim>
-    struct FluidFace
-    {
-      FluidCell<dim> cell;
-      unsigned int   number;
-      /// The first degree of freedom of each vertex, which stands for the vertex.
-      std::vector<types::global_dof_index> vertices;
-      Point<dim>                           middle;
-      double                               area;
-      bool                                 is_wet, is_tied = false;
-    };
-
-
-
     /// The faces of a load on this rank, and what flows along them.
     template <int dim>
     class Spread
@@ -47,97 +28,120 @@ namespace Signorini
       Spread(const Elasticity<dim> &elasticity, const Load<dim> &load)
         : elasticity(elasticity)
         , load(load)
-        , elements(scalar_elements(elasticity.finite_elements()))
-        , all_values(elasticity.mesh().surface_mappings(),
-                     elements,
-                     gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
-                     update_values | update_quadrature_points | update_normal_vectors |
-                       update_JxW_values)
-        , all_gradients(elasticity.mesh().mappings(),
-                        elements,
-                        gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
-                        update_values | update_gradients | update_quadrature_points)
-        , all_dofs(dofs_of_nodes(elasticity.finite_elements()))
+        , geometry(elasticity, load)
+        , faces(geometry.all)
         , comm(elasticity.mesh().communicator())
-      {
-        const BoundaryIds ids = boundaries_of(elasticity.mesh(), load);
-        for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned() && cell->at_boundary())
-            for (const unsigned int f : cell->face_indices())
-              if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
-                add_face(cell, f);
-      }
+      {}
 
-      /// Find the contact pressures of all faces, and which of them are tied.
+      /// Find the contact pressures of all faces, and which of them are closed, or tied. Faces
+      /// beside closed ones have nodes in common with these: at most half of such a face seems to
+      /// touch.
       void
-      find_contact(const LA::Vector &u,
-                   const LA::Vector &contact_force,
-                   const LA::Vector &tied_force)
+      find_contact(const LA::Vector &u, const PointForces &forces)
       {
-        contact_pressures  = pressures(u, contact_force);
-        const auto shares  = pressures(u, tied_force);
-        double     largest = 0;
+        constexpr double half     = 0.5;
+        const auto       pressure = geometry.pressures(u, forces.pressure),
+                   touching       = geometry.pressures(u, forces.touching),
+                   tied           = geometry.pressures(u, forces.tied);
         for (unsigned int i = 0; i < faces.size(); ++i)
           {
-            largest          = std::max(largest, contact_pressures[i]);
-            faces[i].is_tied = shares[i] > least_share;
+            faces[i].contact_pressure = pressure[i];
+            faces[i].is_closed        = touching[i] >= half;
+            faces[i].is_tied          = tied[i] >= half;
           }
-        rounding = relative_rounding * Utilities::MPI::max(largest, comm);
       }
 
-      /// Mark the vertices of the faces at the entries.
+      /// Let the fluid be nowhere.
+      void
+      dry()
+      {
+        load.wet->faces.clear();
+        for (FluidFace<dim> &face : faces)
+          face.is_wet = false;
+      }
+
+      /// True if wet faces have closed that are not at an edge of the wet region. Collective.
+      bool
+      has_closed_inside() const
+      {
+        const LA::Vector dry =
+          vertices_of([](const FluidFace<dim> &face) { return !face.is_wet && face.is_closed; });
+        bool any = false;
+        for (const FluidFace<dim> &face : faces)
+          any |= face.is_wet && face.is_closed && !touches(face, dry);
+        return Utilities::MPI::max(any ? 1 : 0, comm) > 0;
+      }
+
+      /// Mark the vertices of the faces at the entries: on each body whose surface is as near as
+      /// one of its faces is large.
       void
       start_at_entries()
       {
+        const Mesh<dim>  &mesh = elasticity.mesh();
+        std::vector<bool> has_entry(mesh.n_bodies(), false), has_faces(mesh.n_bodies(), false);
         for (const Point<dim> &entry : load.fluid_entries)
           {
-            double least = std::numeric_limits<double>::max(), size = 0;
-            for (const FluidFace<dim> &face : faces)
-              if (const double d = distance(face, entry); d < least)
-                {
-                  least = d;
-                  size  = face.cell->face(face.number)->diameter();
-                }
-            const double closest = Utilities::MPI::min(least, comm);
-            size                 = Utilities::MPI::max(least == closest ? size : 0., comm);
-            if (!(closest <= size))
-              throw SceneError("Loads/" + load.name + "/Fluid entry: a point is " +
-                               short_text(closest) + " away from the Boundaries of the load, " +
-                               "where faces have a size of " + short_text(size) +
-                               "; write a point on them");
-            for (const FluidFace<dim> &face : faces)
-              if (distance(face, entry) <= closest + 1e-9 * size)
-                starts.insert(starts.end(), face.vertices.begin(), face.vertices.end());
+            bool   is_on_any = false;
+            double nearest = std::numeric_limits<double>::max(), its_size = 0;
+            for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+              {
+                double least = std::numeric_limits<double>::max(), size = 0;
+                for (const FluidFace<dim> &face : faces)
+                  if (mesh.body(face.cell) == body)
+                    {
+                      has_faces[body] = true;
+                      if (const double d = face.distance(entry); d < least)
+                        {
+                          least = d;
+                          size  = face.cell->face(face.number)->diameter();
+                        }
+                    }
+                const double closest = Utilities::MPI::min(least, comm);
+                size                 = Utilities::MPI::max(least == closest ? size : 0., comm);
+                if (closest < nearest)
+                  {
+                    nearest  = closest;
+                    its_size = size;
+                  }
+                if (!(closest <= size))
+                  continue;
+                is_on_any = has_entry[body] = true;
+                for (const FluidFace<dim> &face : faces)
+                  if (mesh.body(face.cell) == body && face.distance(entry) <= closest + 1e-9 * size)
+                    starts.insert(starts.end(), face.vertices.begin(), face.vertices.end());
+              }
+            if (!is_on_any)
+              throw SceneError(
+                beginning() + "a point is " + short_text(nearest) +
+                " away from the Boundaries of the load, where faces have a size of " +
+                short_text(its_size) + "; write a point on them");
           }
+        for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+          if (!has_entry[body] && Utilities::MPI::max(has_faces[body] ? 1 : 0, comm) > 0)
+            throw SceneError(beginning() + "no point is on the Boundaries of " +
+                             mesh.body_name(body) +
+                             ", which the fluid could not reach; add one, separated by ';'");
       }
 
-      /// Wet what can be reached. Collective.
+      /// Wet what can be reached past open faces. Collective.
+      /// @param may_enter whether the fluid first forces its way onto faces next to wet ones
       /// @return whether the load has changed on this rank
       bool
-      advance(const FluidSpread how)
+      advance(bool may_enter)
       {
-        bool may_enter = how == FluidSpread::next_faces, has_changed = false;
-        for (bool is_growing = true; is_growing;)
+        bool has_changed = false;
+        for (bool is_growing = true; is_growing; may_enter = false)
           {
             const LA::Vector reached = wet_vertices();
             bool             is_more = false;
-            for (unsigned int i = 0; i < faces.size(); ++i)
-              {
-                FluidFace<dim> &face       = faces[i];
-                const bool      is_reached = std::any_of(face.vertices.begin(),
-                                                    face.vertices.end(),
-                                                    [&](const auto v) { return reached(v) > 0; });
-                if (face.is_wet || face.is_tied || !is_reached)
-                  continue;
-                const double p = load.pressure.value(face.middle, elasticity.time());
-                if (contact_pressures[i] <= rounding || (may_enter && contact_pressures[i] < p))
-                  {
-                    face.is_wet = is_more = true;
-                    load.wet->faces.insert({face.cell->id(), face.number});
-                    has_changed |= p != 0;
-                  }
-              }
-            may_enter  = false;
+            for (FluidFace<dim> &face : faces)
+              if (!face.is_wet && !face.is_tied && touches(face, reached) &&
+                  (!face.is_closed || (may_enter && is_forced(face))))
+                {
+                  face.is_wet = is_more = true;
+                  load.wet->faces.insert({face.cell->id(), face.number});
+                  has_changed |= largest_pressure(face) > 0;
+                }
             is_growing = Utilities::MPI::max(is_more ? 1 : 0, comm) > 0;
           }
         return has_changed;
@@ -146,161 +150,119 @@ namespace Signorini
       WetArea
       wet_area()
       {
-        WetArea result;
+        start_at_entries();
+        const LA::Vector reached = wet_vertices();
+        WetArea          result;
         for (const FluidFace<dim> &face : faces)
           {
             result.total += face.area;
             result.wet += face.is_wet ? face.area : 0.;
+            if (!face.is_wet && touches(face, reached))
+              result.at_edge += largest_pressure(face) * face.area;
           }
-        return {Utilities::MPI::sum(result.wet, comm), Utilities::MPI::sum(result.total, comm)};
+        return {Utilities::MPI::sum(result.wet, comm),
+                Utilities::MPI::sum(result.total, comm),
+                Utilities::MPI::sum(result.at_edge, comm)};
       }
 
     private:
-      void
-      add_face(const FluidCell<dim> &cell, const unsigned int f)
+      std::string
+      beginning() const
       {
-        FluidFace<dim> face{cell, f, {}, cell->face(f)->center(), 0, pressure_acts(load, *cell, f)};
-        for (const unsigned int v : cell->face(f)->vertex_indices())
-          face.vertices.push_back(cell->vertex_dof_index(
-            cell->reference_cell().face_to_cell_vertices(f, v, 1), 0, cell->active_fe_index()));
-        all_values.reinit(cell, f, 0, 0, 0);
-        const FEFaceValues<dim> &values = all_values.get_present_fe_values();
-        for (const unsigned int q : values.quadrature_point_indices())
-          face.area += values.JxW(q) * measure(elasticity.model(), values.quadrature_point(q));
-        faces.push_back(face);
+        return "Loads/" + load.name + "/Fluid entry: ";
       }
 
-      /// The mean pressures on the faces of forces on nodes, along the normals of the faces: nodes
-      /// have the force on them over their share of the surface, both along the normal. Collective.
-      std::vector<double>
-      pressures(const LA::Vector &u, LA::Vector force)
+      bool
+      touches(const FluidFace<dim> &face, const LA::Vector &marks) const
       {
-        std::vector<double> result;
-        const LA::Vector    ghosted = elasticity.with_ghosts(u);
-        LA::Vector          area    = elasticity.zero_vector();
-        visit(ghosted, [&](const FluidFace<dim> &face, const auto &dofs, const auto &areas) {
-          Vector<double> of_cell(face.cell->get_fe().n_dofs_per_cell());
-          for (unsigned int i = 0; i < areas.size(); ++i)
-            for (unsigned int d = 0; d < dim; ++d)
-              of_cell(dofs[i * dim + d]) = areas[i][d];
-          read_indices<dim>(face.cell, indices);
-          elasticity.hanging_nodes().distribute_local_to_global(of_cell, indices, area);
+        return std::any_of(face.vertices.begin(), face.vertices.end(), [&](const auto v) {
+          return marks(v) > 0;
         });
-        area.compress(VectorOperation::add);
-        // Hanging nodes have no forces of their own: they get the means of their neighbours, of
-        // both, before these are divided.
-        elasticity.hanging_nodes().distribute(force);
-        elasticity.hanging_nodes().distribute(area);
-        const LA::Vector forces   = elasticity.with_ghosts(force),
-                         of_nodes = elasticity.with_ghosts(area);
-        visit(ghosted, [&](const FluidFace<dim> &face, const auto &dofs, const auto &areas) {
-          read_indices<dim>(face.cell, indices);
-          double         pressure = 0;
-          Tensor<1, dim> sum;
-          for (const Tensor<1, dim> &one : areas)
-            sum += one;
-          const Tensor<1, dim> n = sum / sum.norm();
-          for (unsigned int i = 0; i < areas.size(); ++i)
-            {
-              double pushed = 0, extent = 0;
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  const auto at = indices[dofs[i * dim + d]];
-                  pushed -= forces(at) * n[d];
-                  extent += of_nodes(at) * n[d];
-                }
-              if (areas[i].norm() > 0 && extent > 0)
-                pressure += (areas[i] * n) / (sum * n) * pushed / extent;
-            }
-          result.push_back(pressure);
-        });
-        return result;
       }
 
-      /// The shortest distance of a point from vertices and middle of a face.
+      /// True if the contact pressure of a face is less than that of the fluid; if they are equal,
+      /// rounding does not decide.
+      bool
+      is_forced(const FluidFace<dim> &face) const
+      {
+        constexpr double rounding = 1e-6;
+        const double     p        = load.pressure.value(face.middle, elasticity.time());
+        return face.contact_pressure < (1 - rounding) * p;
+      }
+
+      /// The largest size of the pressure at the vertices and in the middle of a face.
       double
-      distance(const FluidFace<dim> &face, const Point<dim> &x) const
+      largest_pressure(const FluidFace<dim> &face) const
       {
         const auto &of_mesh = face.cell->face(face.number);
-        double      result  = face.middle.distance(x);
+        const auto  size    = [&](const Point<dim> &x) {
+          return std::abs(load.pressure.value(x, elasticity.time()));
+        };
+        double result = size(face.middle);
         for (const unsigned int v : of_mesh->vertex_indices())
-          result = std::min(result, of_mesh->vertex(v).distance(x));
+          result = std::max(result, size(of_mesh->vertex(v)));
         return result;
       }
 
-      /// Call act(face, dofs, areas) for each face of this rank: the degrees of freedom of its cell
-      /// node by node, and for each node int N n da over the current face.
-      template <typename Act>
-      void
-      visit(const LA::Vector &ghosted, const Act &act)
-      {
-        Vector<double> values_of_u;
-        for (FluidFace<dim> &face : faces)
-          {
-            const unsigned int                                i = face.cell->active_fe_index();
-            const typename Triangulation<dim>::cell_iterator &of_mesh = face.cell;
-            all_values.reinit(of_mesh, face.number, i, 0, i);
-            all_gradients.reinit(of_mesh, face.number, i, 0, i);
-            const FEFaceValues<dim> &values    = all_values.get_present_fe_values();
-            const auto              &gradients = all_gradients.get_present_fe_values();
-            const auto              &dofs      = all_dofs[i];
-            values_of_u.reinit(dofs.size());
-            face.cell->get_dof_values(ghosted, values_of_u);
-            std::vector<Tensor<1, dim>> areas(dofs.size() / dim);
-            for (const unsigned int q : values.quadrature_point_indices())
-              {
-                Tensor<1, dim> n = values.normal_vector(q);
-                if (elasticity.is_finite_strain())
-                  {
-                    // Nanson: n da = J F^-T N dA.
-                    const Tensor<2, 3> F =
-                      gradient_at_point(elasticity.model(), gradients, dofs, q, values_of_u);
-                    const Tensor<2, 3> G = determinant(F) * invert(F);
-                    n                    = 0;
-                    for (unsigned int a = 0; a < dim; ++a)
-                      for (unsigned int K = 0; K < dim; ++K)
-                        n[a] += G[K][a] * values.normal_vector(q)[K];
-                  }
-                const double dA =
-                  values.JxW(q) * measure(elasticity.model(), values.quadrature_point(q));
-                for (unsigned int k = 0; k < areas.size(); ++k)
-                  areas[k] += values.shape_value(k, q) * dA * n;
-              }
-            act(face, dofs, areas);
-          }
-      }
-
-      /// 1 or more at the vertices of wet faces of all ranks, and of faces at the entries; with
-      /// ghosts. Collective.
+      /// 1 or more at the vertices of the faces of all ranks that are chosen, and at some others;
+      /// with ghosts. Collective.
+      template <typename Choice>
       LA::Vector
-      wet_vertices() const
+      vertices_of(const Choice                               &is_chosen,
+                  const std::vector<types::global_dof_index> &more = {}) const
       {
         LA::Vector marks = elasticity.zero_vector();
         const auto mark  = [&](const std::vector<types::global_dof_index> &vertices) {
           for (const auto v : vertices)
             marks(v) += 1.;
         };
-        mark(starts);
+        mark(more);
         for (const FluidFace<dim> &face : faces)
-          if (face.is_wet)
+          if (is_chosen(face))
             mark(face.vertices);
         marks.compress(VectorOperation::add);
         return elasticity.with_ghosts(marks);
       }
 
-      const Elasticity<dim>                       &elasticity;
-      const Load<dim>                             &load;
-      const hp::FECollection<dim>                  elements;
-      hp::FEFaceValues<dim>                        all_values, all_gradients;
-      const std::vector<std::vector<unsigned int>> all_dofs;
-      const MPI_Comm                               comm;
-      std::vector<FluidFace<dim>>                  faces;
-      std::vector<double>                          contact_pressures;
-      std::vector<types::global_dof_index>         starts, indices;
-      double                                       rounding = 0; ///< of contact pressures
+      /// Those of wet faces, and of faces at the entries.
+      LA::Vector
+      wet_vertices() const
+      {
+        return vertices_of([](const FluidFace<dim> &face) { return face.is_wet; }, starts);
+      }
 
-      static constexpr double relative_rounding = 1e-9, least_share = 1e-3;
+      const Elasticity<dim>               &elasticity;
+      const Load<dim>                     &load;
+      FluidFaces<dim>                      geometry;
+      std::vector<FluidFace<dim>>         &faces; ///< those of `geometry`
+      const MPI_Comm                       comm;
+      std::vector<types::global_dof_index> starts; ///< vertices at the entries
     };
+  } // namespace
+
+
+
+  namespace
+  {
+    /// Throws SolverFailure on all ranks if two fluids are on one face.
+    template <int dim>
+    void
+    check_that_fluids_are_apart(const Elasticity<dim> &elasticity)
+    {
+      const auto &loads = elasticity.loads();
+      for (auto a = loads.begin(); a != loads.end(); ++a)
+        for (auto b = loads.begin(); b != a; ++b)
+          if (a->wet && b->wet)
+            {
+              const bool meet =
+                std::any_of(a->wet->faces.begin(), a->wet->faces.end(), [&](const auto &face) {
+                  return b->wet->faces.count(face) > 0;
+                });
+              if (Utilities::MPI::max(meet ? 1 : 0, elasticity.mesh().communicator()) > 0)
+                throw SolverFailure("the fluids " + b->name + " and " + a->name +
+                                    " meet: what sealed one from the other is open");
+            }
+    }
   } // namespace
 
 
@@ -316,29 +278,45 @@ namespace Signorini
 
 
 
+  // Open faces fill first, for all fluids, since their pressure changes that of contact.
   template <int dim>
   bool
   spread_fluids(const Elasticity<dim> &elasticity,
                 const LA::Vector      &u,
-                const LA::Vector      &contact_force,
-                const LA::Vector      &tied_force,
+                const PointForces     &forces,
                 const FluidSpread      how)
   {
-    bool has_advanced = false;
+    const MPI_Comm comm   = elasticity.mesh().communicator();
+    const auto     on_any = [&](const bool x) { return Utilities::MPI::max(x ? 1 : 0, comm) > 0; };
+    std::deque<Spread<dim>> fluids;
     for (const Load<dim> &load : elasticity.loads())
       if (load.wet)
-        {
-          if (how == FluidSpread::open_faces)
-            {
-              has_advanced |= !load.wet->faces.empty();
-              load.wet->faces.clear();
-            }
-          Spread<dim> spread(elasticity, load);
-          spread.find_contact(u, contact_force, tied_force);
-          spread.start_at_entries();
-          has_advanced |= spread.advance(how);
-        }
-    return Utilities::MPI::max(has_advanced ? 1 : 0, elasticity.mesh().communicator()) > 0;
+        fluids.emplace_back(elasticity, load);
+    bool has_changed = false;
+    for (Spread<dim> &fluid : fluids)
+      {
+        if (how == FluidSpread::nowhere)
+          {
+            fluid.dry();
+            continue;
+          }
+        fluid.find_contact(u, forces);
+        fluid.start_at_entries();
+        if (how == FluidSpread::open_faces ||
+            (how == FluidSpread::without_closed_faces && fluid.has_closed_inside()))
+          {
+            fluid.dry();
+            has_changed = true;
+          }
+        if (how != FluidSpread::without_closed_faces || has_changed)
+          has_changed |= fluid.advance(false);
+      }
+    has_changed = on_any(has_changed);
+    if (!has_changed && how == FluidSpread::next_faces)
+      for (Spread<dim> &fluid : fluids)
+        has_changed |= fluid.advance(true);
+    check_that_fluids_are_apart(elasticity);
+    return on_any(has_changed);
   }
 
 
@@ -366,8 +344,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template bool    spread_fluids(const Elasticity<dim> &,                                          \
                                  const LA::Vector &,                                               \
-                                 const LA::Vector &,                                               \
-                                 const LA::Vector &,                                               \
+                                 const PointForces &,                                              \
                                  FluidSpread);                                                     \
   template void    check_fluid_entries(const Elasticity<dim> &);                                   \
   template bool    has_fluids(const std::vector<Load<dim>> &);                                     \

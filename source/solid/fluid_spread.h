@@ -5,33 +5,41 @@
 
 namespace Signorini
 {
-  /// How far fluids spread along the boundaries of their loads.
+  /// Where fluids are to be.
   enum class FluidSpread
   {
-    /// From the entries past faces without contact pressure; nothing is wet before.
+    nowhere,
+    /// Where they get from their entries past open faces, and nowhere else.
     open_faces,
-    /// Onto faces next to wet ones whose contact pressure is less than that of the fluid, and from
-    /// there past faces without contact pressure.
-    next_faces
+    /// Where they are, and past more open faces; if there are none, also on faces next to wet ones
+    /// whose contact pressure is less than that of the fluid, and past open faces from there.
+    next_faces,
+    /// As open_faces, if surfaces have closed behind the edges of the wet region; else no change.
+    without_closed_faces
+  };
+
+  /// What contact points do to their surfaces, as forces on all degrees of freedom.
+  struct PointForces
+  {
+    LA::Vector pressure; ///< of the contact pressures alone [force]
+    /// Of unit pressures at all points that touch, and at those that are tied [area].
+    LA::Vector touching, tied;
   };
 
   /// Let the fluids of loads with entries spread (doc/theory, 2.17). Faces that share a vertex are
-  /// neighbours. Throws SceneError on all ranks for an entry that is not on the boundaries of its
-  /// load. Collective.
+  /// neighbours. Throws SolverFailure where two fluids meet, and SceneError for an entry that is
+  /// not on the boundaries of its load, on all ranks. Collective.
   /// @param u displacement
-  /// @param contact_force of the contact pressures alone, on all degrees of freedom [force]
-  /// @param tied_force of a unit pressure at all tied points, which are sealed
-  /// @return whether the wet faces have changed
+  /// @return whether loads have changed
   template <int dim>
   bool
   spread_fluids(const Elasticity<dim> &elasticity,
                 const LA::Vector      &u,
-                const LA::Vector      &contact_force,
-                const LA::Vector      &tied_force,
+                const PointForces     &forces,
                 FluidSpread            spread);
 
-  /// Throws SceneError on all ranks for an entry that is not on the boundaries of its load.
-  /// Collective.
+  /// Throws SceneError on all ranks for an entry that is not on the boundaries of its load, and for
+  /// a body that has none. Collective.
   template <int dim>
   void
   check_fluid_entries(const Elasticity<dim> &elasticity);
@@ -40,6 +48,9 @@ namespace Signorini
   struct WetArea
   {
     double wet = 0, total = 0; ///< [reference area]
+    /// The force of the fluid on the dry faces next to wet ones [force]: faces are wet or dry as a
+    /// whole.
+    double at_edge = 0;
   };
 
   /// @return the wet area of a load with entries. Collective.

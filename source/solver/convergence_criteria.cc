@@ -53,7 +53,8 @@ namespace Signorini
     const double least =
       std::max(largest <= 1e-13 * bodies.largest_load() ? bodies.largest_load() : 0.,
                bodies.rounding_without_loads() / tolerance);
-    if (largest < least)
+    without_forces = largest < least;
+    if (without_forces)
       {
         largest = least;
         my_reference_forces.assign(n_bodies, largest);

@@ -325,6 +325,7 @@ namespace Signorini
                              check_normal_forces(results, scale),
                              check_peaks(results, scale),
                              check_loads(scene, now),
+                             check_fluids(results, scale),
                              check_equations(now),
                              check_coordinates(now, extremes),
                              check_skipped_items(scene, acts),

@@ -134,6 +134,12 @@ namespace Signorini
   std::vector<CheckResult>
   check_loads(const Scene<dim> &scene, const Snapshot<dim> &now);
 
+  /// @return the check that the faces at the edges of fluids are small, for each load that has one.
+  /// @param results entry of results.json of this step
+  /// @param scale the largest force
+  std::vector<CheckResult>
+  check_fluids(const nlohmann::ordered_json &results, double scale);
+
   /// @return the check for loads and supports that an import has omitted: a warning, or a failure
   /// if nothing acts without them; empty if nothing was omitted.
   /// @param scene the scene

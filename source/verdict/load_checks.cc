@@ -108,6 +108,32 @@ namespace Signorini
 
 
 
+  // Faces are wet or dry as a whole.
+  std::vector<CheckResult>
+  check_fluids(const nlohmann::ordered_json &results, const double scale)
+  {
+    constexpr double         small = 0.05;
+    std::vector<CheckResult> check_results;
+    const auto               fluids = results.value("fluids", nlohmann::ordered_json::object());
+    for (const auto &[name, fluid] : fluids.items())
+      {
+        CheckResult check_result;
+        check_result.check   = "edge of the fluid";
+        check_result.where   = "load " + name;
+        check_result.value   = scale > 0 ? fluid.at("force_at_edge").get<double>() / scale : 0.;
+        check_result.limit   = small;
+        check_result.outcome = check_result.value <= small ? Outcome::passed : Outcome::warned;
+        check_result.message =
+          "the faces next to the fluid are wet or dry as a whole; its force on "
+          "them is that part of the largest force, an error that it may have";
+        check_result.advice = "refine the boundaries where the fluid ends";
+        check_results.push_back(check_result);
+      }
+    return check_results;
+  }
+
+
+
   template std::vector<CheckResult>
   check_loads(const Scene<2> &, const Snapshot<2> &);
   template std::vector<CheckResult>

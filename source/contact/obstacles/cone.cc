@@ -32,7 +32,7 @@ namespace Signorini
         angle.declare(
           section,
           "Angle",
-          "between the flank and the plane normal to the axis: number or formula in t [degrees]",
+          "between the flank and the plane normal to the axis: number, or formula in t where there is no friction [degrees]",
           Range{0, 89, false});
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");

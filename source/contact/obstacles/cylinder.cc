@@ -26,7 +26,10 @@ namespace Signorini
         section.add("Center", center, "a point of the axis [length]");
         if (dim == 3)
           section.add("Axis", axis, "direction of the axis, any length");
-        radius.declare(section, "Radius", "number or formula in t [length]", positive);
+        radius.declare(section,
+                       "Radius",
+                       "number, or formula in t where there is no friction [length]",
+                       positive);
         section.add("Hollow", hollow, "yes: the body is inside, in a bore");
         if (axis.norm() == 0)
           section.fail("Axis", "must not be zero");

@@ -31,10 +31,11 @@ namespace Signorini
         section.add_noted("Normal",
                           normal,
                           "axis at the apex, out of the obstacle, towards the body; any length");
-        radius.declare(section,
-                       "Radius",
-                       "of curvature at the apex: number or formula in t [length]",
-                       positive);
+        radius.declare(
+          section,
+          "Radius",
+          "of curvature at the apex: number, or formula in t where there is no friction [length]",
+          positive);
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");
       }

@@ -28,16 +28,18 @@ namespace Signorini
         section.add_noted("Normal",
                           normal,
                           "of the flat face, out of the obstacle, towards the body; any length");
-        radius.declare(section,
-                       "Radius",
-                       dim == 2 ?
-                         "half the width of the flat face: number or formula in t [length]" :
-                         "of the flat face: number or formula in t [length]",
-                       positive);
-        edge.declare(section,
-                     "Edge radius",
-                     "of the rounded edge; 0: sharp; number or formula in t [length]",
-                     non_negative);
+        radius.declare(
+          section,
+          "Radius",
+          dim == 2 ?
+            "half the width of the flat face: number, or formula in t where there is no friction [length]" :
+            "of the flat face: number, or formula in t where there is no friction [length]",
+          positive);
+        edge.declare(
+          section,
+          "Edge radius",
+          "of the rounded edge; 0: sharp; number, or formula in t where there is no friction [length]",
+          non_negative);
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");
       }

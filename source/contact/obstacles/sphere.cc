@@ -19,7 +19,10 @@ namespace Signorini
       declare(Section &section) override
       {
         section.add("Center", center, "[length]");
-        radius.declare(section, "Radius", "number or formula in t [length]", positive);
+        radius.declare(section,
+                       "Radius",
+                       "number, or formula in t where there is no friction [length]",
+                       positive);
         section.add("Hollow", hollow, "yes: the body is inside, in a spherical seat");
       }
 
