@@ -238,7 +238,8 @@ namespace Signorini
   {
     load_steps.changes.clear();
     const auto add = [&](const TimeSpan &span, const std::string &entry) {
-      if (span.from >= load_steps.end_time)
+      // Further load steps may follow a run whose checkpoint is kept.
+      if (span.from >= load_steps.end_time && !output.keep_checkpoint)
         throw SceneError(entry + "/Start time = " + short_text(span.from) +
                          ": the load history ends at t = " + short_text(load_steps.end_time) +
                          ", so that this is never active; set an earlier time, or remove it");

@@ -58,7 +58,8 @@ namespace Signorini
     for (const unsigned int v : cell->face(f)->vertex_indices())
       face.vertices.push_back(cell->vertex_dof_index(
         cell->reference_cell().face_to_cell_vertices(f, v, 1), 0, cell->active_fe_index()));
-    all_values.reinit(cell, f, 0, 0, 0);
+    const typename Triangulation<dim>::cell_iterator &of_mesh = cell;
+    all_values.reinit(of_mesh, f, cell->active_fe_index(), 0, cell->active_fe_index());
     const FEFaceValues<dim> &values = all_values.get_present_fe_values();
     for (const unsigned int q : values.quadrature_point_indices())
       face.area += values.JxW(q) * measure(elasticity.model(), values.quadrature_point(q));

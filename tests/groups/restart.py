@@ -218,6 +218,25 @@ def further_steps(test):
     check_same(test, folder, whole)
 
 
+def added_later(scene):
+    def run(test):
+        """Ties and fluids of further load steps, with all of them in the scene from the beginning."""
+        folder, whole = folder_of(test), folder_of(test) / "whole"
+        path = TESTS / "scenes" / scene
+        expected = ["--set", "Expected results/Names="]
+        ends(test, [path, *expected, "--set", f"Output/Directory={whole}"], 0)
+        times = re.search(r"set Times = (.*)", path.read_text()).group(1)
+        before = times.split(", ")
+        before = before[:len(before) // 2]
+        ends(test, [path, *expected, "--set", "Output/Keep checkpoint=yes", "--set", f"Load steps/End time={before[-1]}", "--set",
+                    f"Load steps/Times={', '.join(before)}", "--set", f"Output/Directory={folder}"], 0)
+        ends(test, ["--restart", folder, "--set", f"Load steps/End time={times.split(', ')[-1]}", "--set",
+                    f"Load steps/Times={times}"], 0, "Restart from", ranks=2)
+        check_same(test, folder, whole)
+
+    return run
+
+
 def cases():
     yield Case("restart", "kills/np1", kills("1", 4))
     yield Case("restart", "kills/np4", kills("4,1,2", 4), 4, {"full"})
@@ -232,4 +251,6 @@ def cases():
     yield Case("restart", "refused", refused)
     yield Case("restart", "kills/locked", kills("1,2", 2, PRM / "bolted-joint.prm", []), 2, {"full"})
     yield Case("restart", "further-steps", further_steps, 2)
+    yield Case("restart", "further-steps/tie", added_later("late-tie.prm"), 2)
+    yield Case("restart", "further-steps/fluid", added_later("uplift.prm"), 2)
     yield Case("restart", "failed-step", failed_step)
