@@ -55,6 +55,8 @@ namespace Signorini
        "A paraboloid of revolution (in 2D a parabola), with the gap measured along its axis as in Hertz' theory."},
       {"punch", "A flat circular face (in 2D a strip) with rounded edges at the end of a shaft."},
       {"cone", "A circular cone (in 2D a wedge)."},
+      {"profile",
+       "Lines and arcs in the plane; in space moved along a line, or turned about an axis."},
       {"gap function", "Any surface, by a formula for the gap along one direction."},
       {"STL",
        "A surface of triangles from an STL file, or of the surface elements of a mesh file; the gap is the signed "

@@ -214,13 +214,13 @@ namespace Signorini
                           refinement.declare(s);
                         });
     section.add_section("Load steps", "Load history.", [&](Section &s) { load_steps.declare(s); });
-    if (section.reading())
-      end_steps_at_changes();
     section.add_section("Newton", "Nonlinear solver.", [&](Section &s) { newton.declare(s); });
     section.add_section("Solver", "Linear solver.", [&](Section &s) { solver.declare(s); });
     section.add_section("Output", "Files that are written.", [&](Section &s) {
       output.declare(s);
     });
+    if (section.reading())
+      end_steps_at_changes();
     section.add_section(
       "Known solution",
       "Exact solution, as formulas; the errors of the computed solution are reported.",

@@ -1104,6 +1104,43 @@ TEST_CASE("import: rigid bodies of surface elements are obstacles")
 
 
 
+// The bottom of a punch about the axis x = y = 0.5, on the top of a cube: from its rim to the axis,
+// so that outside is below. In the plane a die with a fillet.
+TEST_CASE("import: analytical surfaces of lines and arcs are obstacles")
+{
+  const auto deck = [](const std::string &surface) {
+    return cube + "*NODE\n9, 0.5, 0.5, 3.\n*ELSET, ELSET=e\n1\n*SURFACE, NAME=top\n1, S2\n" +
+           surface + "*RIGID BODY, ANALYTICAL SURFACE=tool, REF NODE=9\n" + of_cube +
+           "*SOLID SECTION, ELSET=e, MATERIAL=m\n*SURFACE INTERACTION, NAME=i\n" +
+           "*CONTACT PAIR, INTERACTION=i\ntop, tool\n*BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n4, 1, 3\n" +
+           "9, 1, 2\n9, 4, 6\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n9, 3, 3, -0.01\n*END STEP\n";
+  };
+  const TemporaryFile file(deck("*SURFACE, TYPE=REVOLUTION, NAME=TOOL\n0.5, 0.5, 1, 0.5, 0.5, 2\n"
+                                "START, 3., 1.\nCIRCL, 2., 0., 2., 1.\nLINE, 0., 0.\n"),
+                           ".inp");
+  const auto [text, messages] = imported(file.path);
+  const Scene<3> scene        = checked<3>(text);
+  CHECK(messages.empty());
+  REQUIRE(scene.obstacles.size() == 1);
+  CHECK(scene.pairs.at(0).master == scene.obstacles[0].name);
+  CHECK(scene.obstacles[0].body.displacement.value({}, 1)[2] == doctest::Approx(-0.01));
+  const auto gap = [&](const Point<3> &x) { return scene.obstacles[0].shape->closest(x).gap; };
+  CHECK(gap(Point<3>(0.5, 0.5, 0.8)) == doctest::Approx(0.2));
+  CHECK(gap(Point<3>(-0.5, 0.5, 1.3)) == doctest::Approx(-0.3));
+  CHECK(gap(Point<3>(0.5, 3.3, 1.4)) == doctest::Approx(0));
+  // What is not clear, or not known, is left out.
+  for (const std::string other :
+       {"*SURFACE, TYPE=CYLINDER, NAME=TOOL\nSTART, -1., 2.\nLINE, 5., 2.\n",
+        "*SURFACE, TYPE=REVOLUTION, NAME=TOOL\n0, 0, 0, 0, 0, 1\nSTART, 0., "
+        "1.\nPARAB, 1., 2., 3., 4.\n"})
+    {
+      const TemporaryFile left(deck(other), ".inp");
+      says(imported(left.path).second, "*RIGID BODY (an analytical surface)");
+    }
+}
+
+
+
 // Reference nodes 9 (motion) and 10 (rotation) of the top of a cube.
 TEST_CASE("import: rigid bodies and couplings are obstacles that are attached")
 {

@@ -22,6 +22,7 @@ namespace Signorini
                                     {"paraboloid", make_paraboloid<dim>},
                                     {"punch", make_punch<dim>},
                                     {"cone", make_cone<dim>},
+                                    {"profile", make_profile<dim>},
                                     {"gap function", make_gap_function<dim>},
                                     {"STL", make_stl<dim>},
                                     {"attached", make_attached<dim>}};

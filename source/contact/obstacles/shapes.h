@@ -49,6 +49,11 @@ namespace Signorini
   std::unique_ptr<ObstacleShape<dim>>
   make_cone();
 
+  /// Lines and arcs in a plane; in space moved along a line, or turned about an axis.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_profile();
+
   /// Any surface, given by the gap along a fixed normal.
   template <int dim>
   std::unique_ptr<ObstacleShape<dim>>

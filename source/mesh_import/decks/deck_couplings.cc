@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/deck_reader.h"
+#include "mesh_import/decks/scene_text.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <array>
 
 // The part of the reader for couplings.
 
@@ -45,9 +47,13 @@ namespace Signorini
       }
     if (in.has("ANALYTICAL SURFACE"))
       {
-        skip_item("an analytical surface");
-        model.lacks_supports = true;
-        return;
+        one.name = one.analytical_surface = in.value("ANALYTICAL SURFACE");
+        if (model.analytical_surfaces.count(upper_case(one.name)) == 0)
+          {
+            skip_item("an analytical surface");
+            model.lacks_supports = true;
+            return;
+          }
       }
     one.reference = node_of("REF NODE");
     if (in.has("ROT NODE"))
@@ -55,6 +61,56 @@ namespace Signorini
     std::sort(one.nodes.begin(), one.nodes.end());
     one.nodes.erase(std::unique(one.nodes.begin(), one.nodes.end()), one.nodes.end());
     model.couplings.push_back(one);
+  }
+
+
+
+  // Other surfaces are part of the mesh. Data lines of SEGMENTS: START, LINE and CIRCL with
+  // coordinates x, y or r, z; of REVOLUTION these after two points of the axis, the origin of z and
+  // one in its direction. Outside is on the left of the way. What is left out is said where a rigid
+  // body refers to it.
+  void
+  DeckReader::read_analytical_surface()
+  {
+    const std::string type = upper_case(in.value("TYPE"));
+    if ((type != "SEGMENTS" && type != "REVOLUTION") || in.has("FILLET RADIUS") ||
+        !model.deck.instances_of.empty())
+      {
+        ignore();
+        return;
+      }
+    DeckModel::AnalyticalSurface keys{{"Shape", "profile"}};
+    Words                        words;
+    if (type == "REVOLUTION")
+      {
+        in.next_line(words);
+        const std::array<double, 3> a = triple(words, 0), b = triple(words, 3);
+        std::vector<std::string>    origin, axis;
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            origin.push_back(long_text(a[d]));
+            axis.push_back(long_text(b[d] - a[d]));
+          }
+        keys.insert(keys.end(),
+                    {{"Revolved", "yes"}, {"Origin", join(origin)}, {"Axis", join(axis)}});
+      }
+    std::vector<std::string> points;
+    while (in.next_line(words))
+      {
+        const std::string        word = upper_case(words[0]);
+        const unsigned int       n    = word == "CIRCL" ? 4 : 2;
+        std::vector<std::string> numbers;
+        if (word != (points.empty() ? "START" : "LINE") && (points.empty() || word != "CIRCL"))
+          {
+            ignore();
+            return;
+          }
+        for (unsigned int i = 1; i <= n; ++i)
+          numbers.push_back(long_text(number(words, i)));
+        points.push_back(join(numbers));
+      }
+    keys.emplace_back("Profile", join(points, "; "));
+    model.analytical_surfaces[upper_case(in.value("NAME"))] = keys;
   }
 
 

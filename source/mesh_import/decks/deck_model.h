@@ -218,6 +218,8 @@ namespace Signorini
       std::optional<Axes> axes = {};
       /// Indices of the nodes; none for surfaces.
       std::vector<unsigned int> nodes;
+      /// Name of an analytical surface that is the rigid body; empty: none.
+      std::string analytical_surface = {};
       /// Index of the reference node.
       unsigned int reference = 0;
       /// Index of the node whose components are the rotation; none: those are components 4 to 6 of
@@ -225,6 +227,9 @@ namespace Signorini
       std::optional<unsigned int> rotation;
       std::array<bool, 3>         components{{true, true, true}};
     };
+
+    /// A rigid surface that is given by a profile: the keys of an obstacle.
+    using AnalyticalSurface = std::vector<std::pair<std::string, std::string>>;
 
     /// A factor times a component (0, 1, 2) of the displacement of a node.
     struct EquationTerm
@@ -296,8 +301,10 @@ namespace Signorini
     std::vector<Pair>                  pairs;
     std::vector<Clearance>             clearances;
     std::vector<Coupling>              couplings;
-    std::vector<PretensionSection>     pretensions;
-    std::vector<Equation>              equations;
+    /// By names in upper case.
+    std::map<std::string, AnalyticalSurface> analytical_surfaces;
+    std::vector<PretensionSection>           pretensions;
+    std::vector<Equation>                    equations;
     /// Whether some of the equations are linearisations of nonlinear ones, in global components.
     bool has_linearised_equations = false;
     /// Position in the file where geometric nonlinearity is first requested; empty: nowhere.

@@ -65,7 +65,7 @@ namespace Signorini
     {"ELEMENT", &DeckReader::ignore},
     {"NSET", &DeckReader::ignore},
     {"ELSET", &DeckReader::ignore},
-    {"SURFACE", &DeckReader::ignore},
+    {"SURFACE", &DeckReader::read_analytical_surface},
     {"NGEN", &DeckReader::ignore},
     {"NFILL", &DeckReader::ignore},
     {"NCOPY", &DeckReader::ignore},

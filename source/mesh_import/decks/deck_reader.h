@@ -139,6 +139,8 @@ namespace Signorini
     void
     read_rigid_body();
     void
+    read_analytical_surface();
+    void
     begin_coupling();
     void
     end_coupling();

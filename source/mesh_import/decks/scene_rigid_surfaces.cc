@@ -14,6 +14,15 @@ namespace Signorini
   std::vector<std::string>
   SceneWriter::masters_on(const DeckModel::Coupling &one) const
   {
+    if (!one.analytical_surface.empty())
+      {
+        const std::string name = upper_case(one.analytical_surface);
+        return std::any_of(model.pairs.begin(),
+                           model.pairs.end(),
+                           [&](const auto &pair) { return upper_case(pair.master) == name; }) ?
+                 std::vector<std::string>{one.analytical_surface} :
+                 std::vector<std::string>();
+      }
     if (one.is_distributing || one.is_surface || dim != 3)
       return {};
     const auto is_on_a_solid = [&](const unsigned int node) {
@@ -64,13 +73,16 @@ namespace Signorini
       }
     for (const std::string &master : masters)
       {
-        SceneItem item{names.make_unique_name(as_name(master)),
-                       {{"Shape", "STL"},
-                        {"File", file},
-                        {"Surface", as_name(master)},
-                        {"Reference point", join(at.place)},
-                        {"Displacement", join(at.motion, "; ")},
-                        {"Rotation", join(at.rotation, "; ")}}};
+        SceneItem  item{names.make_unique_name(as_name(master)), {}};
+        const auto profile = model.analytical_surfaces.find(upper_case(one.analytical_surface));
+        if (profile != model.analytical_surfaces.end())
+          item.keys = profile->second;
+        else
+          item.keys = {{"Shape", "STL"}, {"File", file}, {"Surface", as_name(master)}};
+        item.keys.insert(item.keys.end(),
+                         {{"Reference point", join(at.place)},
+                          {"Displacement", join(at.motion, "; ")},
+                          {"Rotation", join(at.rotation, "; ")}});
         if (is_free(at.motion))
           item.keys.emplace_back("Force", join(at.force, "; "));
         if (is_free(at.rotation))
