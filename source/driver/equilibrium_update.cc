@@ -159,12 +159,6 @@ namespace Signorini
               previous_steps = my_report.steps;
             return solve_fixed_configuration(t, {tolerance}, true);
           }
-        // Bodies that move without forces: gaps then are as small as rounding lets them be.
-        constexpr double       largest_gap  = 1e-4;
-        constexpr unsigned int vain_updates = 3;
-        if (first.is_without_forces && in_vain >= vain_updates &&
-            first.residual_of_bodies <= enough && first.gap_residual <= largest_gap)
-          return solve_fixed_configuration(t, {tolerance}, true);
         before  = now;
         in_vain = now < least ? 0 : in_vain + 1;
         least   = std::min(least, now);

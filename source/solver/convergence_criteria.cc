@@ -53,8 +53,7 @@ namespace Signorini
     const double least =
       std::max(largest <= 1e-13 * bodies.largest_load() ? bodies.largest_load() : 0.,
                bodies.rounding_without_loads() / tolerance);
-    without_forces = largest < least;
-    if (without_forces)
+    if (largest < least)
       {
         largest = least;
         my_reference_forces.assign(n_bodies, largest);

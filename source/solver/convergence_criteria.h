@@ -43,13 +43,6 @@ namespace Signorini
       gap_forces = forces;
     }
 
-    /// True if the last residual had no forces beyond rounding.
-    bool
-    is_without_forces() const
-    {
-      return without_forces;
-    }
-
     /// The scale of forces: the acting ones; if there are none, those of the gap residuals; if
     /// these vanish too, 1.
     double
@@ -99,8 +92,7 @@ namespace Signorini
     const ContactLaw    &law;
     const GapOperator   &contact;
     double               tolerance;
-    unsigned int         n_bodies       = 0;
-    bool                 without_forces = false;
+    unsigned int         n_bodies    = 0;
     double               force_scale = 0, largest_force = 0, force_rounding = 0, gap_forces = 0;
     std::vector<double>  my_reference_forces; ///< reference_forces() now
 

@@ -125,7 +125,6 @@ namespace Signorini
         system.unconstrained_modes().project_out(r, state.traction, stage.stress);
     step.residual           = r.l2_norm() / convergence.scale();
     step.residual_of_bodies = convergence.residual_of_bodies(r);
-    step.is_without_forces  = convergence.is_without_forces();
     // Volumetric stress: its residual counts together with that of the displacement.
     if (bodies.volumetric())
       {

@@ -22,9 +22,6 @@ namespace Signorini
     double residual = 0, gap_residual = 0, damping = 1;
     double residual_of_bodies =
       0; ///< the largest one of a body, relative, see ConvergenceCriteria::reference_forces()
-    /// The scale of forces is that of rounding: there are no others, see
-    /// SolidResidual::rounding_without_loads().
-    bool is_without_forces = false;
     bool kept_previous_set = false; ///< the active set is that of the last load step
     bool restricted_set =
       false;                ///< overlapping points are not active yet, see restrict_to_deepest()
