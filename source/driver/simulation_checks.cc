@@ -18,12 +18,12 @@ namespace Signorini
     /// that a force drives, on which no pressure acts. Collective.
     template <int dim>
     void
-    check_fluids(const Elasticity<dim> &elasticity, const std::vector<ContactPair<dim>> &pairs)
+    check_fluids(const Decisions<dim> &decisions, const Elasticity<dim> &elasticity)
     {
       check_fluid_entries(elasticity);
       const Mesh<dim> &mesh = elasticity.mesh();
       for (const Load<dim> &load : elasticity.loads())
-        for (const ContactPair<dim> &pair : pairs)
+        for (const ContactPair<dim> &pair : decisions.pairs)
           {
             if (load.fluid_entries.empty())
               continue;
@@ -37,19 +37,13 @@ namespace Signorini
             const std::string beginning = "Loads/" + load.name +
                                           "/Fluid entry: the fluid between the surfaces of pair " +
                                           pair.name + " ";
-            const auto &rigid = elasticity.rigid_bodies();
-            const auto  body  = std::find_if(rigid.begin(), rigid.end(), [&](const auto &one) {
-              return one.name == pair.master;
-            });
-            const bool  is_obstacle =
-              mesh.boundaries().end() ==
-              std::find(mesh.boundaries().begin(), mesh.boundaries().end(), pair.master);
+            const Obstacle<dim> *obstacle = decisions.scene.obstacle_of(pair);
             for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-              if (body != rigid.end() && body->is_free(i) && acts_on(pair.slave))
+              if (obstacle && obstacle->body.is_free(i) && acts_on(pair.slave))
                 throw SceneError(
                   beginning + "would push on the obstacle '" + pair.master +
                   "', which a force drives; prescribe its motion, or make it a body");
-            if (!is_obstacle && acts_on(pair.slave) != acts_on(pair.master))
+            if (!obstacle && acts_on(pair.slave) != acts_on(pair.master))
               throw SceneError(beginning + "acts on both; add " +
                                (acts_on(pair.slave) ? pair.master : pair.slave) +
                                " to the Boundaries of the load");
@@ -71,7 +65,7 @@ namespace Signorini
                  problem.decisions.pairs,
                  scene.output.probes,
                  is_final ? probe_tolerance : 0.5);
-    check_fluids(*problem.elasticity, problem.decisions.pairs);
+    check_fluids(problem.decisions, *problem.elasticity);
     check_cross_sections(*problem.elasticity, scene.output.cross_sections);
     if (scene.expected.empty())
       return;

@@ -112,12 +112,21 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<double>
-  FluidFaces<dim>::pressures(const LA::Vector &u, LA::Vector force)
+  LA::Vector
+  FluidFaces<dim>::with_hanging_nodes(LA::Vector v) const
   {
-    std::vector<double> result;
-    const LA::Vector    ghosted = elasticity.with_ghosts(u);
-    LA::Vector          area    = elasticity.zero_vector();
+    elasticity.hanging_nodes().distribute(v);
+    return elasticity.with_ghosts(v);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<double>>
+  FluidFaces<dim>::pressures(const LA::Vector &u, const std::vector<const LA::Vector *> &forces)
+  {
+    const LA::Vector ghosted = elasticity.with_ghosts(u);
+    LA::Vector       area    = elasticity.zero_vector();
     visit(ghosted, [&](const FluidFace<dim> &face, const auto &dofs, const auto &areas) {
       Vector<double> of_cell(face.cell->get_fe().n_dofs_per_cell());
       for (unsigned int i = 0; i < areas.size(); ++i)
@@ -127,32 +136,35 @@ namespace Signorini
       elasticity.hanging_nodes().distribute_local_to_global(of_cell, indices, area);
     });
     area.compress(VectorOperation::add);
-    // Hanging nodes have no forces of their own: they get the means of their neighbours, of
-    // both, before these are divided.
-    elasticity.hanging_nodes().distribute(force);
-    elasticity.hanging_nodes().distribute(area);
-    const LA::Vector forces   = elasticity.with_ghosts(force),
-                     of_nodes = elasticity.with_ghosts(area);
+    // Hanging nodes have no forces of their own: they get the means of forces and areas, before
+    // these are divided.
+    const LA::Vector        of_nodes = with_hanging_nodes(area);
+    std::vector<LA::Vector> at_nodes;
+    at_nodes.reserve(forces.size());
+    for (const LA::Vector *force : forces)
+      at_nodes.push_back(with_hanging_nodes(*force));
+    std::vector<std::vector<double>> result(forces.size());
     visit(ghosted, [&](const FluidFace<dim> &face, const auto &dofs, const auto &areas) {
       read_indices<dim>(face.cell, indices);
-      double         pressure = 0;
       Tensor<1, dim> sum;
       for (const Tensor<1, dim> &one : areas)
         sum += one;
-      const Tensor<1, dim> n = sum / sum.norm();
-      for (unsigned int i = 0; i < areas.size(); ++i)
+      const Tensor<1, dim> n     = sum / sum.norm();
+      const auto           along = [&](const LA::Vector &v, const unsigned int node) {
+        double component = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          component += v(indices[dofs[node * dim + d]]) * n[d];
+        return component;
+      };
+      for (unsigned int k = 0; k < forces.size(); ++k)
         {
-          double pushed = 0, extent = 0;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const auto at = indices[dofs[i * dim + d]];
-              pushed -= forces(at) * n[d];
-              extent += of_nodes(at) * n[d];
-            }
-          if (areas[i].norm() > 0 && extent > 0)
-            pressure += (areas[i] * n) / (sum * n) * pushed / extent;
+          double pressure = 0;
+          for (unsigned int i = 0; i < areas.size(); ++i)
+            if (areas[i].norm() > 0)
+              if (const double extent = along(of_nodes, i); extent > 0)
+                pressure -= (areas[i] * n) / (sum * n) * along(at_nodes[k], i) / extent;
+          result[k].push_back(pressure);
         }
-      result.push_back(pressure);
     });
     return result;
   }

@@ -39,15 +39,19 @@ namespace Signorini
     /// The mean pressures on the faces of forces on nodes, along the normals of the faces: nodes
     /// have the force on them over their share of the surface, both along the normal (doc/theory,
     /// (2.39)). Collective.
-    /// @param u displacement @param force on all degrees of freedom
-    std::vector<double>
-    pressures(const LA::Vector &u, LA::Vector force);
+    /// @param u displacement @param forces each on all degrees of freedom
+    /// @return for each force the pressure of each face
+    std::vector<std::vector<double>>
+    pressures(const LA::Vector &u, const std::vector<const LA::Vector *> &forces);
 
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
     void
     add_face(const Cell &cell, unsigned int f, bool is_wet);
+    /// A vector with means of their neighbours at hanging nodes, with ghosts. Collective.
+    LA::Vector
+    with_hanging_nodes(LA::Vector v) const;
     /// Call act(face, dofs, areas) for each face: the degrees of freedom of its cell node by node,
     /// and for each node int N n da over the current face.
     template <typename Act>

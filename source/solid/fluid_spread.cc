@@ -39,15 +39,14 @@ namespace Signorini
       void
       find_contact(const LA::Vector &u, const PointForces &forces)
       {
-        constexpr double half     = 0.5;
-        const auto       pressure = geometry.pressures(u, forces.pressure),
-                   touching       = geometry.pressures(u, forces.touching),
-                   tied           = geometry.pressures(u, forces.tied);
+        constexpr double half = 0.5;
+        const auto       of_faces =
+          geometry.pressures(u, {&forces.pressure, &forces.touching, &forces.tied});
         for (unsigned int i = 0; i < faces.size(); ++i)
           {
-            faces[i].contact_pressure = pressure[i];
-            faces[i].is_closed        = touching[i] >= half;
-            faces[i].is_tied          = tied[i] >= half;
+            faces[i].contact_pressure = of_faces[0][i];
+            faces[i].is_closed        = of_faces[1][i] >= half;
+            faces[i].is_tied          = of_faces[2][i] >= half;
           }
       }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/obstacles/shapes.h"
+#include "contact/search/vectors_across.h"
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
@@ -42,15 +43,7 @@ namespace Signorini
       /// @param is_reversed the other side is outside
       explicit ProfileCurve(const std::string &text, bool is_reversed = false);
 
-      /// Empty curves have none.
-      bool
-      empty() const
-      {
-        return segments.empty();
-      }
-
-      /// The closest point; the curve is not empty. At corners the sign is that of the mean of both
-      /// normals.
+      /// The closest point. At corners the sign is that of the mean of both normals.
       Foot
       closest(const Point<2> &x) const;
 
@@ -294,7 +287,8 @@ namespace Signorini
             const ProfileCurve::Foot at = curve->closest(x);
             return {at.gap,
                     at.normal,
-                    at.curvature * (unit() - outer_product(at.normal, at.normal))};
+                    at.curvature *
+                      (unit_symmetric_tensor<dim>() - outer_product(at.normal, at.normal))};
           }
         else
           {
@@ -304,7 +298,7 @@ namespace Signorini
             if (is_turned)
               {
                 const Tensor<1, dim> across = r - (r * along) * along;
-                first    = across.norm() > 0 ? across / across.norm() : any_normal(along);
+                first    = across.norm() > 0 ? across / across.norm() : vectors_across(along)[0];
                 second   = along;
                 in_plane = Point<2>(across.norm(), r * along);
               }
@@ -326,22 +320,6 @@ namespace Signorini
       }
 
     private:
-      static SymmetricTensor<2, dim>
-      unit()
-      {
-        return unit_symmetric_tensor<dim>();
-      }
-
-      /// A unit vector across another one.
-      static Tensor<1, dim>
-      any_normal(const Tensor<1, dim> &v)
-      {
-        Tensor<1, dim> other;
-        other[std::abs(v[0]) < 0.9 * v.norm() ? 0 : 1] = 1;
-        other -= (other * v) / v.norm_square() * v;
-        return other / other.norm();
-      }
-
       std::string                 text        = "0, 0; 1, 0";
       bool                        is_reversed = false, is_turned = false;
       Point<dim>                  origin, axis, generator;
