@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/error_parts.h"
+#include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
@@ -53,10 +53,6 @@ namespace Signorini
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-      /// @return Gauss rules with degree + 1 points in each direction, one rule for each finite
-      /// element.
-      hp::QCollection<dim - 1>
-      rules() const;
       /// @return the state at the points of a face for one displacement. Thermal strain is not
       /// subtracted.
       AtFace<dim>
@@ -114,7 +110,7 @@ namespace Signorini
                                 const std::vector<LA::Vector> &z)
       : elasticity(elasticity)
       , displacement(elasticity.with_ghosts(u))
-      , all_rules(rules())
+      , all_rules(gauss_rules_of_faces(elasticity.finite_elements(), 1))
       , values(elasticity.mesh().mappings(),
                elasticity.finite_elements(),
                all_rules,
@@ -137,18 +133,6 @@ namespace Signorini
             if (elasticity.mesh().body_of(boundary))
               for (const types::boundary_id id : elasticity.mesh().boundary_ids(boundary))
                 supports[id].push_back(&support);
-    }
-
-
-
-    template <int dim>
-    hp::QCollection<dim - 1>
-    Boundaries<dim>::rules() const
-    {
-      hp::QCollection<dim - 1> result;
-      for (const auto &fe : elasticity.finite_elements())
-        result.push_back(QGauss<dim - 1>(fe.degree + 1));
-      return result;
     }
 
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/error_parts.h"
+#include "geometry/cell_rule.h"
 #include "linear_algebra/dense.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
-
 
 namespace Signorini
 {
@@ -46,14 +44,17 @@ namespace Signorini
       const unsigned int n;
     };
 
-    /// @return Gauss rules with 1 to `most` points in each direction, so that rule i has i + 1.
+    /// @return the rules with 1 to `most` points in each direction, first of hypercubes, then of
+    /// simplices.
     template <int dim>
     hp::QCollection<dim>
-    gauss_rules(const unsigned int most)
+    rules_up_to(const unsigned int most)
     {
       hp::QCollection<dim> rules;
-      for (unsigned int n = 1; n <= most; ++n)
-        rules.push_back(QGauss<dim>(n));
+      for (const auto &cell :
+           {ReferenceCells::get_hypercube<dim>(), ReferenceCells::get_simplex<dim>()})
+        for (unsigned int n = 1; n <= most; ++n)
+          rules.push_back(cell_rule<dim>(cell, n));
       return rules;
     }
   } // namespace
@@ -66,7 +67,7 @@ namespace Signorini
   RecoveredStress<dim>::RecoveredStress(const Elasticity<dim>    &elasticity,
                                         const std::vector<Field> &fields)
     : elasticity(elasticity)
-    , rules(gauss_rules<dim>(elasticity.degree() + 1))
+    , rules(rules_up_to<dim>(elasticity.degree() + 1))
     , values(elasticity.mesh().mappings(),
              elasticity.finite_elements(),
              rules,
@@ -91,6 +92,8 @@ namespace Signorini
   RecoveredStress<dim>::points_per_direction(const Cell &cell) const
   {
     const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
+    if (cell->reference_cell().is_simplex())
+      return degree;
     for (unsigned int d = 0; d < dim; ++d)
       if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
         return std::max(2u, degree);
@@ -141,7 +144,8 @@ namespace Signorini
         first_sample[cell->active_cell_index()] = places.size();
         if (cell->is_artificial())
           continue;
-        values.reinit(cell, points_per_direction(cell) - 1);
+        const unsigned int first = cell->reference_cell().is_simplex() ? rules.size() / 2 : 0;
+        values.reinit(cell, first + points_per_direction(cell) - 1);
         const FEValues<dim> &at     = values.get_present_fe_values();
         const auto          &points = at.get_quadrature_points();
         stresses_at(cell, at, points, stresses);

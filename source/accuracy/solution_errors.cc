@@ -4,6 +4,7 @@
 #include "fields/nodal_fields.h"
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
+#include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
@@ -74,7 +75,7 @@ namespace Signorini
       const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
       hp::FEValues<dim>                all_values(elasticity.mesh().mappings(),
                                    elasticity.finite_elements(),
-                                   hp::QCollection<dim>(QGauss<dim>(elasticity.degree() + 3)),
+                                   gauss_rules(elasticity.finite_elements(), 3),
                                    update_values | update_gradients | update_quadrature_points |
                                      update_JxW_values);
       const FEValuesExtractors::Vector displacement(0);

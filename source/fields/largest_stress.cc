@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/largest_stress.h"
 
+#include "solid/scalar_elements.h"
 #include "solid/stress.h"
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
 #include <limits>
@@ -45,14 +45,11 @@ namespace Signorini
   std::vector<LargestStresses<dim>>
   largest_stresses(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
   {
-    const Mesh<dim>     &mesh    = elasticity.mesh();
-    const LA::Vector     ghosted = elasticity.with_ghosts(displacement);
-    hp::QCollection<dim> rules;
-    for (const auto &fe : elasticity.finite_elements())
-      rules.push_back(QGauss<dim>(fe.degree));
+    const Mesh<dim>                 &mesh    = elasticity.mesh();
+    const LA::Vector                 ghosted = elasticity.with_ghosts(displacement);
     hp::FEValues<dim>                all_values(mesh.mappings(),
                                  elasticity.finite_elements(),
-                                 rules,
+                                 gauss_rules(elasticity.finite_elements(), 0),
                                  update_values | update_gradients | update_quadrature_points);
     const FEValuesExtractors::Vector v(0);
     std::vector<Tensor<1, dim>>      u;

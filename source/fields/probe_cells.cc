@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/probe_cells.h"
 
+#include "geometry/face_parameter.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -57,12 +58,13 @@ namespace Signorini
       CellLocation<dim> location;
       try
         {
-          const Point<dim> unit     = mapping.transform_real_to_unit_cell(cell, x);
-          const double     distance = GeometryInfo<dim>::distance_to_unit_cell(unit);
+          const Point<dim> unit    = mapping.transform_real_to_unit_cell(cell, x),
+                           nearest = nearest_in_cell(cell->reference_cell(), unit);
+          const double distance    = nearest.distance(unit);
           if (distance <= farthest)
             {
               location.cell  = cell;
-              location.unit  = GeometryInfo<dim>::project_to_unit_cell(unit);
+              location.unit  = nearest;
               location.claim = {distance <= same ? 0 : distance,
                                 cell->material_id(),
                                 cell->center(),

@@ -145,7 +145,8 @@ namespace Signorini
             const auto &[cell, f] = faces.faces[own[i].face];
             FEValues<dim> values(elasticity.mesh().mapping(),
                                  cell->get_fe(),
-                                 Quadrature<dim>(unit_point<dim>(f, own[i].xi)),
+                                 Quadrature<dim>(
+                                   unit_point<dim>(cell->reference_cell(), f, own[i].xi)),
                                  update_values);
             values.reinit(cell);
             const FEValuesExtractors::Scalar first(0); // nodal fields use the first component

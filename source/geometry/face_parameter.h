@@ -1,38 +1,140 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/point.h>
+#include <deal.II/grid/reference_cell.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace Signorini
 {
-  /// @return the point of the reference cell that has a parameter on a face, in the convention of
-  /// deal.II's QProjector: the parameters follow the normal direction cyclically.
+  /// @return the two vertices of a line of a reference cell.
+  /// @param cell the reference cell, a hypercube or a simplex of 2 or 3 dimensions
+  /// @param line its number
+  inline std::array<unsigned int, 2>
+  ends_of_line(const dealii::ReferenceCell &cell, const unsigned int line)
+  {
+    using namespace dealii;
+    if (cell == ReferenceCells::Quadrilateral)
+      return {{GeometryInfo<2>::line_to_cell_vertices(line, 0),
+               GeometryInfo<2>::line_to_cell_vertices(line, 1)}};
+    if (cell == ReferenceCells::Hexahedron)
+      return {{GeometryInfo<3>::line_to_cell_vertices(line, 0),
+               GeometryInfo<3>::line_to_cell_vertices(line, 1)}};
+    constexpr std::array<std::array<unsigned int, 2>, 6> of_simplices{
+      {{{0, 1}}, {{1, 2}}, {{2, 0}}, {{0, 3}}, {{1, 3}}, {{2, 3}}}};
+    return of_simplices[line];
+  }
+
+  /// @return the derivative of unit_point() by one of the parameters: an edge of the face.
+  /// @param cell the reference cell, a hypercube or a simplex
   /// @param face number of the face
-  /// @param xi parameter in [0,1]^(dim-1)
+  /// @param d number of the parameter
+  template <int dim>
+  dealii::Tensor<1, dim>
+  face_direction(const dealii::ReferenceCell &cell, const unsigned int face, const unsigned int d)
+  {
+    if (cell.is_hyper_cube())
+      return dealii::Point<dim>::unit_vector((face / 2 + 1 + d) % dim);
+    return cell.vertex<dim>(cell.face_to_cell_vertices(face, d + 1, 1)) -
+           cell.vertex<dim>(cell.face_to_cell_vertices(face, 0, 1));
+  }
+
+  /// @return the point of the reference cell that has a parameter on a face, in the convention of
+  /// deal.II's QProjector: on hypercubes the parameters follow the normal direction cyclically, on
+  /// simplices they are along the edges from the first vertex of the face.
+  /// @param cell the reference cell
+  /// @param face number of the face
+  /// @param xi parameter in [0,1]^(dim-1), or in the reference simplex
   template <int dim>
   dealii::Point<dim>
-  unit_point(const unsigned int face, const dealii::Point<dim - 1> &xi)
+  unit_point(const dealii::ReferenceCell  &cell,
+             const unsigned int            face,
+             const dealii::Point<dim - 1> &xi)
   {
     dealii::Point<dim> p;
-    p[face / 2] = face % 2;
+    if (cell.is_hyper_cube())
+      {
+        p[face / 2] = face % 2;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          p[(face / 2 + 1 + d) % dim] = xi[d];
+        return p;
+      }
+    p = cell.vertex<dim>(cell.face_to_cell_vertices(face, 0, 1));
     for (unsigned int d = 0; d < dim - 1; ++d)
-      p[(face / 2 + 1 + d) % dim] = xi[d];
+      p += xi[d] * face_direction<dim>(cell, face, d);
     return p;
   }
 
   /// @return the parameter of a point on a face, the inverse of unit_point().
+  /// @param cell the reference cell
   /// @param face number of the face
   /// @param p point of the reference cell
   template <int dim>
   dealii::Point<dim - 1>
-  face_parameter(const unsigned int face, const dealii::Point<dim> &p)
+  face_parameter(const dealii::ReferenceCell &cell,
+                 const unsigned int           face,
+                 const dealii::Point<dim>    &p)
   {
     dealii::Point<dim - 1> xi;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      xi[d] = p[(face / 2 + 1 + d) % dim];
+      // On simplices the parameters are barycentric coordinates.
+      xi[d] = cell.is_hyper_cube() ?
+                p[(face / 2 + 1 + d) % dim] :
+                cell.d_linear_shape_function(p, cell.face_to_cell_vertices(face, d + 1, 1));
     return xi;
+  }
+
+  /// @return whether a point of the reference cell is on a face, up to rounding.
+  /// @param cell the reference cell
+  /// @param face number of the face
+  /// @param p point of the reference cell
+  template <int dim>
+  bool
+  is_on_face(const dealii::ReferenceCell &cell,
+             const unsigned int           face,
+             const dealii::Point<dim>    &p)
+  {
+    return unit_point<dim>(cell, face, face_parameter<dim>(cell, face, p)).distance(p) < 1e-10;
+  }
+
+  /// @return the nearest point of the reference cell; of a simplex a point that is as near as the
+  /// nearest one up to a factor, with the negative barycentric coordinates set to zero.
+  /// @param cell the reference cell
+  /// @param p any point
+  template <int dim>
+  dealii::Point<dim>
+  nearest_in_cell(const dealii::ReferenceCell &cell, const dealii::Point<dim> &p)
+  {
+    if (cell.is_hyper_cube())
+      return dealii::GeometryInfo<dim>::project_to_unit_cell(p);
+    dealii::Point<dim> result;
+    double             sum = std::max(0., cell.d_linear_shape_function(p, 0));
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        result[d] = std::max(0., p[d]);
+        sum += result[d];
+      }
+    return dealii::Point<dim>(result / sum);
+  }
+
+  /// @return a direction in the reference cell from the middle of a face to the inside. On
+  /// hypercubes it is the normal.
+  /// @param cell the reference cell
+  /// @param face number of the face
+  template <int dim>
+  dealii::Tensor<1, dim>
+  inward_direction(const dealii::ReferenceCell &cell, const unsigned int face)
+  {
+    if (cell.is_hyper_cube())
+      return (face % 2 == 0 ? 1. : -1.) * dealii::Point<dim>::unit_vector(face / 2);
+    dealii::Tensor<1, dim> middle_of_face;
+    for (unsigned int v = 0; v < dim; ++v)
+      middle_of_face += cell.vertex<dim>(cell.face_to_cell_vertices(face, v, 1)) / double(dim);
+    return cell.barycenter<dim>() - middle_of_face;
   }
 
   /// @return the parameters of (k+1)^(dim-1) equidistant points of a face, with the first

@@ -145,6 +145,40 @@ namespace Signorini
     const QuadraticMap<dim> map;
   };
 
+  /// The parabola between two points with a third one in its middle, as a manifold of one line.
+  template <int dim>
+  class ParabolicLine : public dealii::Manifold<dim>
+  {
+  public:
+    /// @param bend from the middle of the straight line to the point in the middle [length]
+    explicit ParabolicLine(const dealii::Tensor<1, dim> &bend)
+      : bend(bend)
+    {}
+
+    std::unique_ptr<dealii::Manifold<dim>>
+    clone() const override
+    {
+      return std::make_unique<ParabolicLine<dim>>(bend);
+    }
+
+    dealii::Point<dim>
+    get_intermediate_point(const dealii::Point<dim> &p1,
+                           const dealii::Point<dim> &p2,
+                           const double              w) const override
+    {
+      return p1 + w * (p2 - p1) + 4 * w * (1 - w) * bend;
+    }
+
+    dealii::Tensor<1, dim>
+    get_tangent_vector(const dealii::Point<dim> &x1, const dealii::Point<dim> &x2) const override
+    {
+      return x2 - x1 + 4 * bend;
+    }
+
+  private:
+    const dealii::Tensor<1, dim> bend;
+  };
+
   /// A cubic (Hermite) curve between two points with given directions there. The lengths of the
   /// tangents are chosen such that an arc of a circle of angle t is approximated with an error of
   /// order t^6.

@@ -109,8 +109,13 @@ namespace Signorini
   template <int dim>
   CellMapping<dim>::CellMapping(const unsigned int        degree,
                                 std::vector<unsigned int> degree_of_material,
-                                const Triangulation<dim> &triangulation)
-    : MappingQ<dim>(degree)
+                                const Triangulation<dim> &triangulation,
+                                const bool                has_simplices)
+    : AnyCellMapping<dim>(degree,
+                          has_simplices ?
+                            std::make_shared<const SimplexMapping<dim>>(std::min(degree, 2u),
+                                                                        degree_of_material) :
+                            nullptr)
     , degree_of_material(std::move(degree_of_material))
     , shapes(std::make_shared<const FE_Q<dim>>(degree))
     , unit_nodes(shapes->get_unit_support_points())
@@ -156,7 +161,7 @@ namespace Signorini
     // Positions are computed by the owner of each cell, which has all of its neighbours.
     bool any_folds = false;
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() &&
+      if (cell->is_locally_owned() && cell->reference_cell().is_hyper_cube() &&
           hanging.has_any(cell, degree_of_material.at(cell->material_id())))
         {
           const Nodes before = nodes_on_manifolds(cell), after = nodes(cell, hanging);
@@ -276,6 +281,8 @@ namespace Signorini
   boost::container::small_vector<Point<dim>, GeometryInfo<dim>::vertices_per_cell>
   CellMapping<dim>::get_vertices(const Cell &cell) const
   {
+    if (cell->reference_cell().is_simplex())
+      return AnyCellMapping<dim>::get_vertices(cell);
     const Nodes points = compute_mapping_support_points(cell);
     return {points.begin(), points.begin() + cell->n_vertices()};
   }
@@ -308,7 +315,7 @@ namespace Signorini
   {
     // A cell that is a translation of the previous one by its vertices may differ from it by moved
     // nodes, so that similarities are not used.
-    return MappingQ<dim>::fill_fe_values(
+    return AnyCellMapping<dim>::fill_fe_values(
       cell, moved->places.empty() ? similarity : CellSimilarity::none, quadrature, data, output);
   }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mesh/any_cell_mapping.h"
+
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q.h>
 
 #include <memory>
 #include <vector>
@@ -20,7 +21,7 @@ namespace Signorini
   /// nodes are therefore placed on this edge or face, so that neighbouring cells neither overlap
   /// nor leave gaps.
   template <int dim>
-  class CellMapping : public dealii::MappingQ<dim>
+  class CellMapping : public AnyCellMapping<dim>
   {
   public:
     /// Create the mapping of a mesh as it is refined at present. Throws SceneError if cells are
@@ -28,9 +29,12 @@ namespace Signorini
     /// @param degree the largest degree; bodies of other degrees have degree 1
     /// @param degree_of_material the degree of the body of each material id
     /// @param triangulation the mesh
+    /// @param has_simplices whether it has triangles or tetrahedra, whose cells are of degree 2 at
+    /// most and do not hang
     CellMapping(unsigned int                      degree,
                 std::vector<unsigned int>         degree_of_material,
-                const dealii::Triangulation<dim> &triangulation);
+                const dealii::Triangulation<dim> &triangulation,
+                bool                              has_simplices);
 
     std::unique_ptr<dealii::Mapping<dim>>
     clone() const override;

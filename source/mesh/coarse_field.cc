@@ -16,11 +16,13 @@ namespace Signorini
   {
     if (!values.empty())
       {
-        blocks.emplace_back(n_cells, std::vector<Corners>(cells.size()));
-        auto of_cell = blocks.back().second.begin();
+        blocks.push_back({n_cells,
+                          ReferenceCell::n_vertices_to_type(dim, cells[0].vertices.size()),
+                          std::vector<Corners>(cells.size())});
+        auto of_cell = blocks.back().cells.begin();
         for (const CellData<dim> &cell : cells)
           {
-            for (unsigned int v = 0; v < of_cell->size(); ++v)
+            for (unsigned int v = 0; v < cell.vertices.size(); ++v)
               (*of_cell)[v] = values.at(cell.vertices[v]);
             ++of_cell;
           }
@@ -52,12 +54,12 @@ namespace Signorini
       p = GeometryInfo<dim>::child_to_cell_coordinates(p, children[level]);
     const auto id    = cell.get_coarse_cell_id();
     const auto index = index_of_id.empty() ? id : index_of_id[id];
-    for (const auto &[first, corners] : blocks)
+    for (const auto &[first, shape, corners] : blocks)
       if (index >= first && index < first + corners.size())
         {
           double sum = 0;
-          for (unsigned int v = 0; v < corners[index - first].size(); ++v)
-            sum += corners[index - first][v] * GeometryInfo<dim>::d_linear_shape_function(p, v);
+          for (const unsigned int v : shape.vertex_indices())
+            sum += corners[index - first][v] * shape.d_linear_shape_function(p, v);
           return sum;
         }
     return std::numeric_limits<double>::quiet_NaN();

@@ -35,11 +35,18 @@ namespace Signorini
     value(const dealii::CellId &cell, dealii::Point<dim> unit_point) const;
 
   private:
-    using Corners = std::array<double, 1 << dim>;
-    /// For each body with a field: the index of its first cell, and the values at the corners of
-    /// its cells.
-    std::vector<std::pair<unsigned int, std::vector<Corners>>> blocks;
-    unsigned int                                               n_cells = 0;
-    std::vector<unsigned int>                                  index_of_id;
+    using Corners = std::array<double, 1 << dim>; // simplices use the first dim + 1 of them
+
+    /// The field of a body.
+    struct Block
+    {
+      unsigned int          first; // cell
+      dealii::ReferenceCell shape;
+      /// The values at the corners of the cells.
+      std::vector<Corners> cells;
+    };
+    std::vector<Block>        blocks;
+    unsigned int              n_cells = 0;
+    std::vector<unsigned int> index_of_id;
   };
 } // namespace Signorini

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/face_parameter.h"
+
 #include <deal.II/fe/fe.h>
 
 #include <vector>
@@ -16,7 +18,7 @@ namespace Signorini
   {
     std::vector<unsigned int> nodes;
     for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
-      if (scalar.has_support_on_face(i, face))
+      if (is_on_face<dim>(scalar.reference_cell(), face, scalar.unit_support_point(i)))
         nodes.push_back(i);
     return nodes;
   }

@@ -104,6 +104,7 @@ namespace Signorini
           has_curves = transform(one, has_curves, body.transformation);
         const double growth = diagonal_of(one.vertices) / size;
         is_curved.push_back(has_curves);
+        is_of_simplices.push_back(one.cells[0].vertices.size() == dim + 1);
         degree_of_body.push_back(has_curves ? body.degree : 1);
         if (has_curves)
           degree_of_surfaces = 4;

@@ -120,7 +120,8 @@ namespace Signorini
     std::vector<unsigned int> by_material;
     for (const unsigned int body : bodies_of_materials)
       by_material.push_back(degree_of_body[body]);
-    my_mappings = hp::MappingCollection<dim>(CellMapping<dim>(degree, by_material, *tria));
+    my_mappings =
+      hp::MappingCollection<dim>(CellMapping<dim>(degree, by_material, *tria, has_simplices()));
   }
 
 
@@ -146,8 +147,12 @@ namespace Signorini
                   const std::vector<std::pair<std::string, std::string>>   &contact_surfaces,
                   const MPI_Comm                                            comm)
   {
-    const bool            is_refinable = settings.distribution != Distribution::METIS;
-    const CoarseMesh<dim> coarse       = merge(bodies, is_refinable);
+    // With simplices the mesh is partitioned by METIS: p4est knows none.
+    const bool is_refinable = settings.distribution != Distribution::METIS &&
+                              std::none_of(bodies.begin(), bodies.end(), [](const auto &body) {
+                                return body.second.generator->has_simplices();
+                              });
+    const CoarseMesh<dim> coarse = merge(bodies, is_refinable);
     // A geometry degree of the scene replaces the degrees of all bodies and of the surfaces in
     // gaps.
     if (settings.geometry_degree > 0)
@@ -156,7 +161,14 @@ namespace Signorini
         degree_of_body.assign(bodies.size(), settings.geometry_degree);
         is_curved.assign(bodies.size(), false);
       }
-    my_surface_mappings.push_back(MappingQ<dim>(degree_of_surfaces));
+    my_surface_mappings.push_back(
+      AnyCellMapping<dim>(degree_of_surfaces,
+                          has_simplices() ?
+                            std::make_shared<const SimplexMapping<dim>>(
+                              std::min(degree_of_surfaces, 2u), std::vector<unsigned int>()) :
+                            nullptr));
+    if (has_simplices())
+      check_for_simplices(bodies, settings);
     find_pieces(coarse);
     check_slaves_and_masters(contact_surfaces);
     BoundaryIds slaves;
@@ -164,7 +176,7 @@ namespace Signorini
       slaves.insert(boundary_ids(slave).begin(), boundary_ids(slave).end());
 
     // Weights must be defined before the first partitioning, and slaves known before the weights.
-    if (settings.by_p4est(coarse.cells.size()))
+    if (!has_simplices() && settings.by_p4est(coarse.cells.size()))
       {
         tria = std::make_unique<parallel::distributed::Triangulation<dim>>(comm);
         weigh(*tria, slaves, settings.slave_face_weight);
@@ -198,6 +210,30 @@ namespace Signorini
     map_cells();
     tria->signals.post_distributed_refinement.connect([this] { map_cells(); });
     measure();
+  }
+
+
+
+  // Throw SceneError if the scene asks for what meshes with triangles or tetrahedra cannot do.
+  template <int dim>
+  void
+  Mesh<dim>::check_for_simplices(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
+                                 const MeshSettings<dim> &settings) const
+  {
+    const std::string body = names[std::find(is_of_simplices.begin(), is_of_simplices.end(), true) -
+                                   is_of_simplices.begin()],
+                      cure = ", but the cells of body '" + body +
+                             "' are triangles or tetrahedra, which are not refined: set Bodies/" +
+                             body + (dim == 2 ? "/Cells = quadrilaterals" : "/Cells = hexahedra");
+    if (settings.distribution == Distribution::p4est)
+      throw SceneError("Mesh/Distribution = p4est" + cure);
+    if (settings.refinements > 0 || settings.contact_refinements > 0 ||
+        !settings.refinement_regions.empty())
+      throw SceneError("Mesh has refinements" + cure);
+    for (const auto &[name, one] : bodies)
+      if (one.refinements > 0)
+        throw SceneError("Bodies/" + name + "/Refinements = " + std::to_string(one.refinements) +
+                         cure);
   }
 
 

@@ -10,6 +10,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/hp/mapping_collection.h>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -184,6 +185,38 @@ namespace Signorini
       return bodies_of_materials[cell->material_id()];
     }
 
+    /// @return the shape of the cells of a body: a quadrilateral or hexahedron, or a triangle or
+    /// tetrahedron.
+    /// @param body its index
+    dealii::ReferenceCell
+    reference_cell(const unsigned int body) const
+    {
+      return is_of_simplices[body] ? dealii::ReferenceCells::get_simplex<dim>() :
+                                     dealii::ReferenceCells::get_hypercube<dim>();
+    }
+
+    /// @return the shape of a coarse cell.
+    /// @param id of the coarse cell
+    dealii::ReferenceCell
+    reference_cell_of(const dealii::types::coarse_cell_id id) const
+    {
+      return reference_cell(my_pieces[piece_of_coarse_cell[id]].body);
+    }
+
+    /// @return whether any body consists of triangles or tetrahedra.
+    bool
+    has_simplices() const
+    {
+      return std::count(is_of_simplices.begin(), is_of_simplices.end(), true) > 0;
+    }
+
+    /// @return whether any body consists of quadrilaterals or hexahedra.
+    bool
+    has_hypercubes() const
+    {
+      return std::count(is_of_simplices.begin(), is_of_simplices.end(), false) > 0;
+    }
+
     /// @return the index of the body of a boundary; none if there is no such boundary.
     /// @param boundary "body.boundary"
     std::optional<unsigned int>
@@ -280,6 +313,9 @@ namespace Signorini
     void
     number_coarse_cells(const dealii::Triangulation<dim> &triangulation);
     void
+    check_for_simplices(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
+                        const MeshSettings<dim>                                  &settings) const;
+    void
     check_slaves_and_masters(
       const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const;
 
@@ -308,6 +344,7 @@ namespace Signorini
     std::vector<unsigned int> degree_of_body;
     /// Whether the cells of a body follow the degree of its displacement.
     std::vector<bool>         is_curved;
+    std::vector<bool>         is_of_simplices; // by body
     std::vector<unsigned int> my_least_levels;
     /// Bounding box of each body.
     std::vector<dealii::BoundingBox<dim>> extents;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/transformed_manifold.h"
 
+#include "geometry/cell_size.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -168,16 +169,19 @@ namespace Signorini
       Completion<1>       lines(mesh.faces);
       for (const auto &cell : mesh.cells)
         {
-          for (const unsigned int f : GeometryInfo<dim>::face_indices())
+          const auto reference = ReferenceCell::n_vertices_to_type(dim, cell.vertices.size());
+          for (const unsigned int f : reference.face_indices())
             {
               std::vector<unsigned int> vertices;
-              for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
-                vertices.push_back(cell.vertices[GeometryInfo<dim>::face_to_cell_vertices(f, v)]);
+              for (const unsigned int v : reference.face_reference_cell(f).vertex_indices())
+                vertices.push_back(cell.vertices[reference.face_to_cell_vertices(f, v, 1)]);
               faces.add(vertices);
             }
-          for (unsigned int l = 0; dim == 3 && l < GeometryInfo<dim>::lines_per_cell; ++l)
-            lines.add({cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
-                       cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)]});
+          for (unsigned int l = 0; dim == 3 && l < reference.n_lines(); ++l)
+            {
+              const auto ends = ends_of_line(reference, l);
+              lines.add({cell.vertices[ends[0]], cell.vertices[ends[1]]});
+            }
         }
     }
 
@@ -190,15 +194,12 @@ namespace Signorini
     {
       for (const auto &cell : mesh.cells)
         {
-          Point<dim>     corners[GeometryInfo<dim>::vertices_per_cell];
-          Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
-          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-            corners[v] = mesh.vertices[cell.vertices[v]];
-          // The determinants of the mapping at the vertices. The comparison below is also false for
-          // NaN.
-          GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
-          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-            if (!(volumes[v] > 0))
+          std::vector<Point<dim>> corners;
+          for (const unsigned int v : cell.vertices)
+            corners.push_back(mesh.vertices[v]);
+          const std::vector<double> volumes = determinants_at_corners(corners);
+          for (unsigned int v = 0; v < volumes.size(); ++v)
+            if (!(volumes[v] > 0)) // also NaN
               {
                 std::ostringstream place;
                 place << corners[v];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "geometry/cell_size.h"
 #include "mesh_import/cells.h"
 #include "mesh_import/file_part_steps.h"
 #include <signorini/parameters/raw.h>
@@ -9,8 +10,9 @@ namespace Signorini
 
   namespace
   {
-    /// The corners of a cell by the sign of the volume (2D: area) that the edges there span:
-    /// positive, negative, or zero up to 1e-10 of the product of their lengths.
+    /// The corners of a cell (of a simplex only the first) by the sign of the volume (2D: area)
+    /// that the edges there span: positive, negative, or zero up to 1e-10 of the product of their
+    /// lengths.
     struct Corners
     {
       std::vector<unsigned int> positive, negative, flat;
@@ -23,18 +25,18 @@ namespace Signorini
     Corners
     corners_of(const CellData<dim> &cell, const std::vector<Point<dim>> &vertices)
     {
-      Point<dim>     corners[GeometryInfo<dim>::vertices_per_cell];
-      Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
-      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-        corners[v] = vertices[cell.vertices[v]];
-      GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
+      std::vector<Point<dim>> corners;
+      for (const unsigned int v : cell.vertices)
+        corners.push_back(vertices[v]);
+      const bool                is_simplex = corners.size() == dim + 1;
+      const std::vector<double> volumes    = determinants_at_corners(corners);
 
       Corners result;
-      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+      for (unsigned int v = 0; v < volumes.size(); ++v)
         {
           double edges = 1;
           for (unsigned int d = 0; d < dim; ++d)
-            edges *= corners[v].distance(corners[v ^ (1u << d)]);
+            edges *= corners[v].distance(corners[is_simplex ? d + 1 : v ^ (1u << d)]);
           const double rounding = 1e-10 * edges;
           (std::abs(volumes[v]) <= rounding ? result.flat :
            volumes[v] > 0                   ? result.positive :
@@ -59,13 +61,13 @@ namespace Signorini
 
 
 
-    /// Reverse the orientation of a cell: transpose a quadrilateral, or exchange bottom and top of
-    /// a hexahedron.
+    /// Reverse the orientation of a cell: transpose a quadrilateral or simplex, or exchange bottom
+    /// and top of a hexahedron.
     template <int dim>
     void
     turn(CellData<dim> &cell)
     {
-      if (dim == 2)
+      if (dim == 2 || cell.vertices.size() == dim + 1)
         std::swap(cell.vertices[1], cell.vertices[2]);
       else
         for (unsigned int v = 0; v < 4; ++v)
@@ -83,12 +85,13 @@ namespace Signorini
          const std::vector<Point<dim>>                &vertices,
          const std::vector<const MeshFile::Element *> &elements)
   {
-    constexpr unsigned int all      = GeometryInfo<dim>::vertices_per_cell;
-    unsigned int           n_folded = 0;
-    std::string            first;
+    unsigned int n_folded = 0;
+    std::string  first;
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
-        const Corners corners = corners_of(cells[c], vertices);
+        const Corners      corners = corners_of(cells[c], vertices);
+        const unsigned int all =
+          corners.positive.size() + corners.negative.size() + corners.flat.size();
         if (corners.negative.size() == all)
           turn(cells[c]);
         else if (corners.positive.size() != all && ++n_folded == 1)

@@ -22,12 +22,8 @@ namespace Signorini
     {
       double shortest = std::numeric_limits<double>::max();
       for (const auto &cell : cells)
-        for (unsigned int l = 0; l < GeometryInfo<dim>::lines_per_cell; ++l)
-          {
-            const unsigned int a = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
-                               b = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)];
-            shortest             = std::min(shortest, vertices[a].distance(vertices[b]));
-          }
+        for (const auto &[a, b] : lines_of(cell))
+          shortest = std::min(shortest, vertices[a].distance(vertices[b]));
       return shortest;
     }
 
@@ -174,10 +170,8 @@ namespace Signorini
     const std::vector<unsigned int> piece = pieces_of_vertices(cells, vertices.size());
     constexpr double                near  = 1e-4; // of the edge
     for (const auto &cell : cells)
-      for (unsigned int l = 0; l < GeometryInfo<dim>::lines_per_cell; ++l)
+      for (const auto &[a, b] : lines_of(cell))
         {
-          const unsigned int a = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
-                             b = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)];
           // Where cells are not connected, the faces on both sides are boundary faces, so that both
           // ends of the edge are at the boundary.
           if (!at_boundary[a] || !at_boundary[b])

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "geometry/cell_rule.h"
 #include "geometry/manifolds.h"
 #include "mesh_import/cells.h"
+#include "mesh_import/division/cell_shape.h"
 #include "mesh_import/import_steps.h"
 #include <signorini/parameters/raw.h>
+
+#include <deal.II/fe/fe_simplex_p.h>
+
+#include <algorithm>
 
 namespace Signorini
 {
@@ -36,6 +42,92 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// Throw SceneError if a simplex of second order is inverted somewhere: at its nodes or between
+    /// them.
+    template <int dim>
+    void
+    check_invertible(const MeshFile::Element &element, const std::vector<Point<dim>> &nodes)
+    {
+      static const FE_SimplexP<dim> shapes(2);
+      const Quadrature<dim>        &samples = cell_rule<dim>(shapes.reference_cell(), 4);
+      std::vector<Point<dim>>       places  = samples.get_points();
+      places.insert(places.end(),
+                    shapes.get_unit_support_points().begin(),
+                    shapes.get_unit_support_points().end());
+      for (const Point<dim> &place : places)
+        {
+          Tensor<2, dim> slope;
+          for (unsigned int i = 0; i < nodes.size(); ++i)
+            slope += outer_product(nodes[i] - nodes[0], shapes.shape_grad(i, place));
+          if (!(determinant(slope) > 0))
+            throw SceneError("has element " + std::to_string(element.number) + " at " +
+                             text_of(nodes[0]) +
+                             ", which is inverted by its mid-side nodes; improve the mesh there, "
+                             "or set Mid-side nodes = no");
+        }
+    }
+
+
+
+    /// Give the lines of a simplex of second order that are not straight and evenly divided
+    /// manifolds through their nodes in the middle.
+    /// @param next the next manifold id
+    /// @return the next manifold id
+    template <int dim>
+    types::manifold_id
+    curve_lines(Triangulation<dim>                                      &triangulation,
+                const typename Triangulation<dim>::active_cell_iterator &cell,
+                const MeshFile::Element                                 &element,
+                const MeshFile                                          &file,
+                types::manifold_id                                       next)
+    {
+      constexpr double small = 1e-8; // of the length of the line
+      const auto       place = [&](const unsigned int node) {
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = file.nodes[element.nodes[node]][d];
+        return x;
+      };
+      std::vector<Point<dim>> nodes;
+      for (const unsigned int v : cell->vertex_indices())
+        nodes.push_back(cell->vertex(v));
+      const auto        &edges     = CellShape::of(element.shape).edges;
+      bool               is_curved = false;
+      const unsigned int n         = n_corners(element.shape);
+      for (const unsigned int l : cell->line_indices())
+        {
+          // The edge of the element with the same ends: cells may be numbered otherwise.
+          const auto         line   = cell->line(l);
+          const Point<dim>   middle = line->center();
+          const double       length = line->vertex(0).distance(line->vertex(1));
+          const unsigned int edge =
+            std::min_element(edges.begin(),
+                             edges.end(),
+                             [&](const auto &a, const auto &b) {
+                               return ((place(a[0]) - middle) + (place(a[1]) - middle)).norm() <
+                                      ((place(b[0]) - middle) + (place(b[1]) - middle)).norm();
+                             }) -
+            edges.begin();
+          nodes.push_back(place(n + edge));
+          const Tensor<1, dim> bend = nodes.back() - middle;
+          if (bend.norm() <= small * length)
+            continue;
+          is_curved = true;
+          if (line->manifold_id() != numbers::flat_manifold_id)
+            continue;
+          triangulation.set_manifold(next, ParabolicLine<dim>(bend));
+          line->set_manifold_id(next++);
+        }
+      if (is_curved)
+        check_invertible(element, nodes);
+      return next;
+    }
+  } // namespace
+
+
+
   // Elements of first order, and those of second order with straight, evenly divided edges, need no
   // manifold.
   template <int dim>
@@ -51,6 +143,11 @@ namespace Signorini
         const MeshFile::Element &element = *elements[cell->active_cell_index()];
         if (element.nodes.size() == n_corners(element.shape))
           continue;
+        if (cell->reference_cell().is_simplex())
+          {
+            n = curve_lines(triangulation, cell, element, file, first + n) - first;
+            continue;
+          }
         const QuadraticMap<dim> map = map_of<dim>(element, file);
         if (map.is_multilinear())
           continue;

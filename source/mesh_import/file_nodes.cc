@@ -17,23 +17,24 @@ namespace Signorini
 
     /// @return the edges, faces (3D) and the interior of a cell, each as the numbers of its
     /// vertices.
-    template <int dim>
     std::vector<Nodes>
-    objects()
+    objects(const ReferenceCell &cell)
     {
       std::vector<Nodes> result;
-      using Info = GeometryInfo<dim>;
-      for (unsigned int l = 0; l < Info::lines_per_cell; ++l)
-        result.push_back({Info::line_to_cell_vertices(l, 0), Info::line_to_cell_vertices(l, 1)});
+      for (unsigned int l = 0; l < cell.n_lines(); ++l)
+        {
+          const auto ends = ends_of_line(cell, l);
+          result.emplace_back(ends.begin(), ends.end());
+        }
       Nodes all;
-      for (const unsigned int v : Info::vertex_indices())
+      for (const unsigned int v : cell.vertex_indices())
         all.push_back(v);
-      if (dim == 3)
-        for (const unsigned int f : Info::face_indices())
+      if (cell.get_dimension() == 3)
+        for (const unsigned int f : cell.face_indices())
           {
             result.emplace_back();
-            for (unsigned int v = 0; v < Info::vertices_per_face; ++v)
-              result.back().push_back(Info::face_to_cell_vertices(f, v));
+            for (const unsigned int v : cell.face_reference_cell(f).vertex_indices())
+              result.back().push_back(cell.face_to_cell_vertices(f, v, 1));
           }
       result.push_back(all);
       return result;
@@ -42,11 +43,11 @@ namespace Signorini
     /// @return the mean of some vertices of the reference cell.
     template <int dim>
     Point<dim>
-    middle_of(const Nodes &vertices)
+    middle_of(const ReferenceCell &cell, const Nodes &vertices)
     {
       Point<dim> result;
       for (const unsigned int v : vertices)
-        result += GeometryInfo<dim>::unit_cell_vertex(v) / double(vertices.size());
+        result += cell.vertex<dim>(v) / double(vertices.size());
       return result;
     }
   } // namespace
@@ -77,7 +78,8 @@ namespace Signorini
     // them.
     for (const MeshFile::Element *element : elements)
       for (unsigned int i = n_corners(element->shape);
-           element->shape == cell_shape<dim> && i < element->nodes.size();
+           (element->shape == cell_shape<dim> || element->shape == simplex_shape<dim>)&&i <
+           element->nodes.size();
            ++i)
         {
           Nodes of_node = CellShape::of(element->shape).corners_around(i, *element);
@@ -156,14 +158,21 @@ namespace Signorini
       else
         at_corner[nodes[i]] = i;
 
-    static const std::vector<Nodes> edges_and_faces = objects<dim>();
-    NodeSet<dim>                    result(nodes.size());
+    NodeSet<dim>       result(nodes.size());
+    ReferenceCell      reference;
+    std::vector<Nodes> edges_and_faces; // of that cell
     for (unsigned int c = 0; c < corners.size(); ++c)
       {
+        if (const auto own = ReferenceCell::n_vertices_to_type(dim, corners[c].size());
+            own != reference)
+          {
+            reference       = own;
+            edges_and_faces = objects(reference);
+          }
         for (unsigned int v = 0; v < corners[c].size(); ++v)
           if (const auto found = at_corner.find(corners[c][v]); found != at_corner.end())
             result[found->second].push_back(
-              {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= first_inserted});
+              {c, reference.vertex<dim>(v), corners[c][v] >= first_inserted});
         // A cell is searched for middles only if at least two of its corners surround one.
         const auto n_near =
           std::count_if(corners[c].begin(), corners[c].end(), [&](const unsigned int node) {
@@ -176,7 +185,7 @@ namespace Signorini
               for (const unsigned int v : object)
                 of_object.push_back(corners[c][v]);
               if (const auto found = at_middle.find(sorted(of_object)); found != at_middle.end())
-                result[found->second].push_back({c, middle_of<dim>(object)});
+                result[found->second].push_back({c, middle_of<dim>(reference, object)});
             }
       }
     result.erase(std::remove_if(result.begin(),

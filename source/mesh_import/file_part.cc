@@ -7,7 +7,6 @@
 #include "mesh_import/pieces.h"
 #include <signorini/parameters/raw.h>
 
-#include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -33,7 +32,7 @@ namespace Signorini
                          ", the first is number " + std::to_string(element.number));
       if (dimension_of(element.shape) > dim)
         throw SceneError("has three-dimensional cells, but Dimension = 2");
-      AssertThrow(element.shape == cell_shape<dim>,
+      AssertThrow(element.shape == cell_shape<dim> || element.shape == simplex_shape<dim>,
                   ExcInternalError("A cell of a mesh file was not divided."));
     }
 
@@ -73,10 +72,14 @@ namespace Signorini
     {
       // Files list the corners of a quadrilateral in cyclic order, deal.II in lexicographic order.
       static const std::array<unsigned int, 8> order{{0, 1, 3, 2, 4, 5, 7, 6}};
-      std::vector<CellData<dim>>               cells(elements.size());
-      for (unsigned int c = 0; c < cells.size(); ++c)
-        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
-          cells[c].vertices[v] = elements[c]->nodes.at(order[v]);
+      std::vector<CellData<dim>>               cells;
+      for (const MeshFile::Element *element : elements)
+        {
+          const bool is_simplex = element->shape == simplex_shape<dim>;
+          cells.emplace_back(n_corners(element->shape));
+          for (unsigned int v = 0; v < cells.back().vertices.size(); ++v)
+            cells.back().vertices[v] = element->nodes.at(is_simplex ? v : order[v]);
+        }
       return cells;
     }
 
@@ -118,14 +121,10 @@ namespace Signorini
                        const std::vector<Point<dim>>                &vertices)
     {
       // Sort cells by their sorted corners, so that equal ones are neighbours.
-      using Corners = std::array<unsigned int, GeometryInfo<dim>::vertices_per_cell>;
+      using Corners = std::vector<unsigned int>;
       std::vector<std::pair<Corners, unsigned int>> all(cells.size());
       for (unsigned int c = 0; c < cells.size(); ++c)
-        {
-          std::copy(cells[c].vertices.begin(), cells[c].vertices.end(), all[c].first.begin());
-          std::sort(all[c].first.begin(), all[c].first.end());
-          all[c].second = c;
-        }
+        all[c] = {sorted(cells[c].vertices), c};
       std::sort(all.begin(), all.end());
       const auto same = [](const auto &a, const auto &b) { return a.first == b.first; };
       const auto name = [&](const unsigned int c) {
@@ -155,12 +154,12 @@ namespace Signorini
     {
       std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_cells;
       for (const auto &cell : cells)
-        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        for (const unsigned int face : reference_cell_of(cell).face_indices())
           ++n_cells[Centers::key(face_nodes(cell, face))];
 
       std::vector<CellData<dim - 1>> faces;
       for (const auto &cell : cells)
-        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        for (const unsigned int face : reference_cell_of(cell).face_indices())
           {
             const MeshFile::Nodes nodes = face_nodes(cell, face);
             const unsigned int    n     = n_cells[Centers::key(nodes)];
@@ -169,7 +168,7 @@ namespace Signorini
                                text_of(vertices[nodes[0]]));
             if (n == 1)
               {
-                faces.emplace_back();
+                faces.emplace_back(nodes.size());
                 faces.back().vertices = nodes;
               }
           }
@@ -407,7 +406,8 @@ namespace Signorini
 
     inserted = inserted_vertices(cells, file);
     file_nodes.assign(corners.begin(), corners.end()); // what is left keeps its order
-    GridTools::consistently_order_cells(cells);
+    if (cells[0].vertices.size() != dim + 1)
+      GridTools::consistently_order_cells(cells);
     nodes = FileNodes<dim>(file, cells, elements, representatives);
     GridTools::delete_unused_vertices(vertices, cells, faces);
   }

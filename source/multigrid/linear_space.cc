@@ -9,6 +9,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
 
 #include <algorithm>
@@ -35,6 +36,20 @@ namespace Signorini
       else
         row.emplace_back(dof, value);
     }
+
+    /// The vector-valued elements of degree one: of hypercubes, then of simplices, those that
+    /// bodies have.
+    template <int dim>
+    hp::FECollection<dim>
+    linear_elements(const Mesh<dim> &mesh)
+    {
+      hp::FECollection<dim> result;
+      if (mesh.has_hypercubes())
+        result.push_back(FESystem<dim>(FE_Q<dim>(1), dim));
+      if (mesh.has_simplices())
+        result.push_back(FESystem<dim>(FE_SimplexP<dim>(1), dim));
+      return result;
+    }
   } // namespace
 
 
@@ -43,9 +58,13 @@ namespace Signorini
   // Collective.
   template <int dim>
   LinearSpace<dim>::LinearSpace(const Elasticity<dim> &fine)
-    : elements(FESystem<dim>(FE_Q<dim>(1), dim))
+    : elements(linear_elements(fine.mesh()))
     , dofs(fine.mesh().triangulation())
   {
+    if (elements.size() > 1)
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+          cell->set_active_fe_index(cell->reference_cell().is_simplex() ? 1 : 0);
     dofs.distribute_dofs(elements);
     number(fine);
     find_vertices_of_equations(fine);
@@ -136,7 +155,7 @@ namespace Signorini
                 if (of_fine.is_constrained(dof) && !fine.hanging_nodes().is_constrained(dof))
                   for (unsigned int d = 0; d < dim; ++d)
                     coarse[fine_indices[cell->get_fe().component_to_system_index(d, v)]] =
-                      indices[elements[0].component_to_system_index(d, v)];
+                      indices[own->get_fe().component_to_system_index(d, v)];
               }
         }
     // Constraints are copied with their weights; entries at nodes that are no vertices have no
@@ -186,14 +205,13 @@ namespace Signorini
       {
         const auto [component, node] = fe.system_to_component_index(i);
         const Point<dim> &place      = fe.base_element(0).unit_support_point(node);
-        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
-          if (const double value = GeometryInfo<dim>::d_linear_shape_function(place, v);
+        for (const unsigned int v : fe.reference_cell().vertex_indices())
+          if (const double value = fe.reference_cell().d_linear_shape_function(place, v);
               // The multilinear functions at nodes are products of 0, 1/2 and 1 for degree two, and
               // vanish at vertices of other sides.
               std::abs(value) > 1e-14)
-            add_resolved(vertices[space.elements[0].component_to_system_index(component, v)],
-                         factor * value,
-                         row);
+            // The components of a vertex follow each other, vertex by vertex, in all elements.
+            add_resolved(vertices[v * dim + component], factor * value, row);
       }
 
     private:
@@ -247,11 +265,11 @@ namespace Signorini
     /// The vertices of a cell whose mean is the position of a node.
     template <int dim>
     std::vector<unsigned int>
-    vertices_of_mean(const Point<dim> &node)
+    vertices_of_mean(const ReferenceCell &cell, const Point<dim> &node)
     {
       std::vector<unsigned int> result;
-      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
-        if (GeometryInfo<dim>::d_linear_shape_function(node, v) > 1e-10)
+      for (const unsigned int v : cell.vertex_indices())
+        if (cell.d_linear_shape_function(node, v) > 1e-10)
           result.push_back(v);
       return result;
     }
@@ -267,9 +285,9 @@ namespace Signorini
       for (unsigned int e = 0; e < fine.finite_elements().size(); ++e)
         {
           vertices_of.emplace_back();
-          for (const Point<dim> &node :
-               fine.finite_elements()[e].base_element(0).get_unit_support_points())
-            vertices_of.back().push_back(vertices_of_mean(node));
+          const FiniteElement<dim> &scalar = fine.finite_elements()[e].base_element(0);
+          for (const Point<dim> &node : scalar.get_unit_support_points())
+            vertices_of.back().push_back(vertices_of_mean(scalar.reference_cell(), node));
         }
       InterpolationTransfer::Nodes nodes;
       visit_nodes(fine,
@@ -282,7 +300,7 @@ namespace Signorini
                       return;
                     std::vector<types::global_dof_index> of;
                     for (const unsigned int v : vertices_of[cell->active_fe_index()][node])
-                      of.push_back(vertices[space.elements[0].component_to_system_index(0, v)]);
+                      of.push_back(vertices[v * dim]);
                     nodes.add(indices[i], of.data(), of.size());
                   });
       return std::make_unique<InterpolationTransfer>(

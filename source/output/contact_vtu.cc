@@ -17,19 +17,22 @@ namespace Signorini
   namespace
   {
     /// @return for each face of the reference cell the points at which it is drawn: (n+1)^(dim-1),
-    /// the first parameter of the face running fastest.
+    /// the first parameter of the face running fastest. The faces of hypercubes, then those of
+    /// simplices.
     template <int dim>
     hp::QCollection<dim>
     points_of_faces(const unsigned int n_subdivisions)
     {
       hp::QCollection<dim> result;
-      for (unsigned int face = 0; face < GeometryInfo<dim>::faces_per_cell; ++face)
-        {
-          std::vector<Point<dim>> points;
-          for (const Point<dim - 1> &xi : face_lattice<dim>(n_subdivisions))
-            points.push_back(unit_point<dim>(face, xi));
-          result.push_back(Quadrature<dim>(points));
-        }
+      for (const auto &cell :
+           {ReferenceCells::get_hypercube<dim>(), ReferenceCells::get_simplex<dim>()})
+        for (const unsigned int face : cell.face_indices())
+          {
+            std::vector<Point<dim>> points;
+            for (const Point<dim - 1> &xi : face_lattice<dim>(n_subdivisions))
+              points.push_back(unit_point<dim>(cell, face, xi));
+            result.push_back(Quadrature<dim>(points));
+          }
       return result;
     }
 
@@ -219,7 +222,9 @@ namespace Signorini
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
               {
-                values_on_faces.reinit(cell, f);
+                const bool is_simplex = cell->reference_cell().is_simplex();
+                values_on_faces.reinit(cell,
+                                       f + (is_simplex ? GeometryInfo<dim>::faces_per_cell : 0));
                 add_patch(values_on_faces.get_present_fe_values(), fields, pair);
               }
     }

@@ -57,8 +57,12 @@ namespace Signorini
                             std::vector<Vector<double>>                &computed) const override
       {
         const auto cell = inputs.template get_cell<dim>();
-        for (unsigned int q = 0; q < computed.size(); ++q)
+        // On meshes of cells of different shapes `computed` has the size for another cell.
+        const unsigned int n = inputs.evaluation_points.size();
+        computed.resize(std::max<std::size_t>(computed.size(), n));
+        for (unsigned int q = 0; q < n; ++q)
           {
+            computed[q].reinit(names.size());
             Tensor<2, dim> gradient;
             Tensor<1, dim> u;
             for (unsigned int d = 0; d < dim; ++d)

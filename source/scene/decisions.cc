@@ -38,6 +38,8 @@ namespace Signorini
         return "requires a Poisson's ratio above 0";
       if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; set Law = neo-Hooke";
+      if (body.mesh.generator->has_simplices())
+        return "bodies of triangles have no such form; set Cells = quadrilaterals";
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
         return "errors of the volumetric stress are not estimated; remove Accuracy/Quantity and Target error";
       return {};
@@ -97,7 +99,9 @@ namespace Signorini
         const std::string place   = "Bodies/" + body.name;
         const bool        is_open = body.degree == 0 && (!scene.degree_is_set || scene.degree == 0);
         unsigned int      degree  = body.degree > 0 ? body.degree : degree_of_all(scene);
-        std::vector<bool> &flags  = has_pressure_field.emplace_back();
+        if (is_open && body.mesh.generator->degree_of_elements() > 0)
+          degree = body.mesh.generator->degree_of_elements();
+        std::vector<bool> &flags = has_pressure_field.emplace_back();
         for (const Material *material : body.materials())
           {
             const std::string of_cells =

@@ -75,6 +75,35 @@ namespace Signorini
                          "', too much for double precision; model a rigid body as an obstacle");
     }
 
+    /// Throws SceneError for what bodies of triangles cannot do.
+    template <int dim>
+    void
+    check_simplices(const Scene<dim> &scene)
+    {
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        {
+          const Body<dim> &body = scene.bodies[b];
+          if (!body.mesh.generator->has_simplices())
+            continue;
+          const std::string place = "Bodies/" + body.name + "/Cells = as in file",
+                            cure  = "; set Cells = quadrilaterals";
+          if (scene.maximum_cycles() > 0)
+            throw SceneError(
+              place + ": triangles are not refined, but " +
+              (scene.goals.has_targets() ? "Accuracy/Target error" : "Accuracy/Refinement cycles") +
+              " is set" + cure);
+          if (const unsigned int degree = Decisions<dim>(scene).degrees[b]; degree > 2)
+            throw SceneError(place + ": Degree = " + std::to_string(degree) +
+                             " is not available on triangles; set Degree = 1 or 2, or set Cells = "
+                             "quadrilaterals");
+          for (const Material *material : body.materials())
+            if (material->constitutive_law && material->constitutive_law->n_internal() > 0)
+              throw SceneError(place + ": Law = " + material->law +
+                               " has internal variables, which are not available on triangles" +
+                               cure);
+        }
+    }
+
     /// Throws SceneError for motions of obstacles that violate axial symmetry.
     template <int dim>
     void
@@ -289,6 +318,7 @@ namespace Signorini
     check_axisymmetric(*this);
     check_contrast(bodies);
     Decisions<dim>(*this).check();
+    check_simplices(*this);
     if (mesh.distribution == Distribution::METIS && maximum_cycles() > 0)
       throw SceneError(
         "Mesh/Distribution = METIS cannot refine the mesh, but " +

@@ -2,8 +2,8 @@
 #include "solid/deformation_change.h"
 
 #include "solid/deformation.h"
+#include "solid/scalar_elements.h"
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
@@ -60,14 +60,11 @@ namespace Signorini
                      const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
                      const LA::Vector                                          &u)
   {
-    const Mesh<dim>     &mesh    = elasticity.mesh();
-    const LA::Vector     ghosted = elasticity.with_ghosts(u);
-    hp::QCollection<dim> rules;
-    for (unsigned int i = 0; i < elasticity.finite_elements().size(); ++i)
-      rules.push_back(QGauss<dim>(elasticity.finite_elements()[i].degree + 1));
+    const Mesh<dim>                 &mesh    = elasticity.mesh();
+    const LA::Vector                 ghosted = elasticity.with_ghosts(u);
     hp::FEValues<dim>                all_values(mesh.mappings(),
                                  elasticity.finite_elements(),
-                                 rules,
+                                 gauss_rules(elasticity.finite_elements(), 1),
                                  update_values | update_gradients | update_quadrature_points |
                                    update_JxW_values);
     const FEValuesExtractors::Vector displacement(0);

@@ -8,6 +8,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
 
 #include <algorithm>
@@ -35,16 +36,18 @@ namespace Signorini
   {
     Assert(degrees.size() == 1 || degrees.size() == mesh.n_bodies(),
            ExcDimensionMismatch(degrees.size(), mesh.n_bodies()));
-    // One element for each different degree; bodies share no nodes, so that nothing has to be
-    // constrained between elements of different degree.
-    const std::set<unsigned int> different(degrees.begin(), degrees.end());
-    for (const unsigned int degree : different)
-      elements.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
+    // One element for each different shape of cells and degree; bodies share no nodes, so that
+    // nothing has to be constrained between different elements.
+    std::vector<std::pair<bool, unsigned int>> of_bodies; // whether of simplices, and degree
     for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
-      {
-        const unsigned int degree = degrees[degrees.size() == 1 ? 0 : body];
-        element_of_body.push_back(std::distance(different.begin(), different.find(degree)));
-      }
+      of_bodies.emplace_back(mesh.reference_cell(body).is_simplex(),
+                             degrees[degrees.size() == 1 ? 0 : body]);
+    const std::set<std::pair<bool, unsigned int>> different(of_bodies.begin(), of_bodies.end());
+    for (const auto &[of_simplices, degree] : different)
+      elements.push_back(of_simplices ? FESystem<dim>(FE_SimplexP<dim>(degree), dim) :
+                                        FESystem<dim>(FE_Q<dim>(degree), dim));
+    for (const auto &one : of_bodies)
+      element_of_body.push_back(std::distance(different.begin(), different.find(one)));
   }
 
 

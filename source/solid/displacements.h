@@ -61,7 +61,8 @@ namespace Signorini
       return dofs;
     }
 
-    /// The finite elements, one for each degree; the active FE index of a cell selects its element.
+    /// The finite elements, one for each shape of cells and degree; the active FE index of a cell
+    /// selects its element.
     const dealii::hp::FECollection<dim> &
     finite_elements() const
     {

@@ -182,7 +182,9 @@ namespace Signorini
     std::vector<Index>                     indices;
     CellNodes<dim>                         nodes_of(mesh, dofs.get_fe_collection());
     for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->get_fe().degree == 2)
+      // Simplices have no nodes in the middle of faces.
+      if (cell->is_locally_owned() && cell->get_fe().degree == 2 &&
+          cell->reference_cell().is_hyper_cube())
         {
           const FiniteElement<dim> &fe = cell->get_fe();
           read_indices<dim>(cell, indices);

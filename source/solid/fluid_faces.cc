@@ -31,12 +31,12 @@ namespace Signorini
     , elements(scalar_elements(elasticity.finite_elements()))
     , all_values(elasticity.mesh().surface_mappings(),
                  elements,
-                 gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
+                 gauss_rules_of_faces(elasticity.finite_elements(), 2),
                  update_values | update_quadrature_points | update_normal_vectors |
                    update_JxW_values)
     , all_gradients(elasticity.mesh().mappings(),
                     elements,
-                    gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
+                    gauss_rules_of_faces(elasticity.finite_elements(), 2),
                     update_values | update_gradients | update_quadrature_points)
     , all_dofs(dofs_of_nodes(elasticity.finite_elements()))
   {

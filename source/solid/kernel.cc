@@ -161,7 +161,7 @@ namespace Signorini
                  update_values | update_quadrature_points | update_JxW_values)
     , all_face_values(mesh.surface_mappings(),
                       scalars,
-                      gauss_rules<dim, dim - 1>(elements, 2),
+                      gauss_rules_of_faces(elements, 2),
                       update_values | update_quadrature_points | update_normal_vectors |
                         update_JxW_values)
   {

@@ -54,7 +54,8 @@ namespace Signorini
     {
       std::vector<dealii::Point<dim - 1>> points;
       for (const unsigned int i : nodes)
-        points.push_back(face_parameter<dim>(f, scalar.unit_support_point(i)));
+        points.push_back(
+          face_parameter<dim>(scalar.reference_cell(), f, scalar.unit_support_point(i)));
       normals = std::make_unique<dealii::FEFaceValues<dim>>(mapping,
                                                             scalar,
                                                             dealii::Quadrature<dim - 1>(points),
@@ -80,7 +81,7 @@ namespace Signorini
       for (const auto &fe : dofs.get_fe_collection())
         {
           faces.emplace_back();
-          for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f)
+          for (const unsigned int f : fe.reference_cell().face_indices())
             faces.back().emplace_back(mesh.surface_mapping(), fe.base_element(0), f);
         }
     }
@@ -119,7 +120,7 @@ namespace Signorini
     void
     on_set(const std::string &name, const std::string &place, const Visit &visit)
     {
-      ListedNodes<dim> listed(mesh.node_set(name));
+      ListedNodes<dim> listed(mesh, mesh.node_set(name));
       for (const auto &cell : dofs.active_cell_iterators())
         if (!cell->is_artificial() && listed.has_some(cell->id().get_coarse_cell_id()))
           {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/node_location.h"
 
+#include "geometry/face_parameter.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -26,11 +27,6 @@ namespace Signorini
       return a.distance_square(b) < 1e-20;
     }
 
-    bool
-    is_at_end(const double coordinate)
-    {
-      return coordinate == 0 || coordinate == 1;
-    }
   } // namespace
 
 
@@ -39,15 +35,16 @@ namespace Signorini
   // (mid-side nodes of a file of degree 2) exist in the sense of the set even if the mesh has no
   // node there.
   template <int dim>
-  ListedNodes<dim>::ListedNodes(const NodeSet<dim> &nodes)
-    : is_there(nodes.size(), 0)
+  ListedNodes<dim>::ListedNodes(const Mesh<dim> &mesh, const NodeSet<dim> &nodes)
+    : mesh(mesh)
+    , is_there(nodes.size(), 0)
   {
     for (unsigned int n = 0; n < nodes.size(); ++n)
       for (const NodeLocation<dim> &place : nodes[n])
         by_cell[place.cell].push_back({place.unit, n});
     for (const auto &[cell, listed] : by_cell)
       for (const Listed &one : listed)
-        if (has_corners_around(listed, one.unit))
+        if (has_corners_around(mesh.reference_cell_of(cell), listed, one.unit))
           is_there[one.node] = 1;
   }
 
@@ -80,7 +77,7 @@ namespace Signorini
           is_there[one.node] = 1;
           return true;
         }
-    return has_corners_around(listed, x);
+    return has_corners_around(mesh.reference_cell_of(cell.get_coarse_cell_id()), listed, x);
   }
 
 
@@ -89,22 +86,17 @@ namespace Signorini
   // point lies are in the set.
   template <int dim>
   bool
-  ListedNodes<dim>::has_corners_around(const std::vector<Listed> &listed,
+  ListedNodes<dim>::has_corners_around(const ReferenceCell       &cell,
+                                       const std::vector<Listed> &listed,
                                        const Point<dim>          &unit) const
   {
-    for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-      {
-        const Point<dim> corner    = GeometryInfo<dim>::unit_cell_vertex(v);
-        bool             is_around = true, is_listed = false;
-        for (unsigned int d = 0; d < dim; ++d)
-          // A corner belongs to that entity if it agrees in all coordinates in which the point is
-          // at an end.
-          is_around &= !is_at_end(unit[d]) || unit[d] == corner[d];
-        for (const Listed &one : listed)
-          is_listed |= are_same(one.unit, corner);
-        if (is_around && !is_listed)
-          return false;
-      }
+    for (const unsigned int v : cell.vertex_indices())
+      // A corner belongs to that entity if its linear function does not vanish at the point.
+      if (cell.d_linear_shape_function(unit, v) > 1e-10 &&
+          std::none_of(listed.begin(), listed.end(), [&](const Listed &one) {
+            return are_same(one.unit, cell.vertex<dim>(v));
+          }))
+        return false;
     return true;
   }
 
@@ -186,9 +178,10 @@ namespace Signorini
         return std::numeric_limits<double>::infinity();
       try
         {
-          unit                  = mesh.mapping().transform_real_to_unit_cell(cell, x);
-          const double distance = GeometryInfo<dim>::distance_to_unit_cell(unit);
-          unit                  = GeometryInfo<dim>::project_to_unit_cell(unit);
+          unit                      = mesh.mapping().transform_real_to_unit_cell(cell, x);
+          const Point<dim> nearest  = nearest_in_cell(cell->reference_cell(), unit);
+          const double     distance = nearest.distance(unit);
+          unit                      = nearest;
           return distance <= same ? 0 : distance;
         }
       catch (const typename Mapping<dim>::ExcTransformationFailed &)

@@ -14,7 +14,8 @@ namespace Signorini
   class ListedNodes
   {
   public:
-    explicit ListedNodes(const NodeSet<dim> &nodes);
+    /// Refers to the mesh.
+    ListedNodes(const Mesh<dim> &mesh, const NodeSet<dim> &nodes);
 
     /// True if a coarse cell has a node of the set.
     bool
@@ -43,7 +44,11 @@ namespace Signorini
 
     /// True if all corners of the edge, face or cell inside of which the point lies are in the set.
     bool
-    has_corners_around(const std::vector<Listed> &listed, const dealii::Point<dim> &unit) const;
+    has_corners_around(const dealii::ReferenceCell &cell,
+                       const std::vector<Listed>   &listed,
+                       const dealii::Point<dim>    &unit) const;
+
+    const Mesh<dim> &mesh;
 
     /// The nodes of the set by the coarse cells that have them.
     std::map<unsigned int, std::vector<Listed>> by_cell;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <deal.II/base/quadrature_lib.h>
+#include "geometry/cell_rule.h"
+
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/hp/q_collection.h>
 
@@ -20,15 +21,28 @@ namespace Signorini
     return result;
   }
 
-  /// For each element a Gauss rule with `beyond_degree` points more than its degree, in each
-  /// direction.
-  template <int dim, int rule_dim = dim>
-  dealii::hp::QCollection<rule_dim>
+  /// For each element the rule of its cells with `beyond_degree` points more than its degree, in
+  /// each direction, see cell_rule().
+  template <int dim>
+  dealii::hp::QCollection<dim>
   gauss_rules(const dealii::hp::FECollection<dim> &elements, const unsigned int beyond_degree)
   {
-    dealii::hp::QCollection<rule_dim> result;
+    dealii::hp::QCollection<dim> result;
     for (const auto &fe : elements)
-      result.push_back(dealii::QGauss<rule_dim>(fe.degree + beyond_degree));
+      result.push_back(cell_rule<dim>(fe.reference_cell(), fe.degree + beyond_degree));
+    return result;
+  }
+
+  /// For each element the rule of its faces, likewise.
+  template <int dim>
+  dealii::hp::QCollection<dim - 1>
+  gauss_rules_of_faces(const dealii::hp::FECollection<dim> &elements,
+                       const unsigned int                   beyond_degree)
+  {
+    dealii::hp::QCollection<dim - 1> result;
+    for (const auto &fe : elements)
+      result.push_back(
+        cell_rule<dim - 1>(fe.reference_cell().face_reference_cell(0), fe.degree + beyond_degree));
     return result;
   }
 

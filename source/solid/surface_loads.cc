@@ -62,7 +62,7 @@ namespace Signorini
     const hp::FECollection<dim> scalars = scalar_elements(elements); // the values refer to it
     hp::FEFaceValues<dim>       all_values(mesh.surface_mappings(),
                                      scalars,
-                                     gauss_rules<dim, dim - 1>(elements, 2),
+                                     gauss_rules_of_faces(elements, 2),
                                      update_quadrature_points | update_JxW_values);
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())

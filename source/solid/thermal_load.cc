@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "solid/scalar_elements.h"
 #include "solid/thermal_strain.h"
-
-#include <deal.II/base/quadrature_lib.h>
 
 namespace Signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// The Gauss rules of the stiffness, one for each element.
-    template <int dim>
-    hp::QCollection<dim>
-    rules_of_stiffness(const hp::FECollection<dim> &elements)
-    {
-      hp::QCollection<dim> rules;
-      for (const auto &fe : elements)
-        rules.push_back(QGauss<dim>(fe.degree + 1));
-      return rules;
-    }
-  } // namespace
-
-
 
   // The mapping of the cells, not that of the true surface: the forces must be those that stiffness
   // times free expansion has, so that a heated body without supports gets no stress.
@@ -34,7 +17,7 @@ namespace Signorini
     , model(model)
     , all_values(mesh.mappings(),
                  elements,
-                 rules_of_stiffness(elements),
+                 gauss_rules(elements, 1),
                  update_values | update_gradients | update_quadrature_points | update_JxW_values)
   {}
 

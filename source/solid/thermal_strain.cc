@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/thermal_strain.h"
 
+#include "geometry/cell_rule.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/lac/full_matrix.h>
 
@@ -23,15 +23,18 @@ namespace Signorini
     // No time compares equal to it: temperatures are not evaluated yet.
     constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
-    /// Finite element values with points and weights only, by the rule that integrates loads.
+    /// Finite element values on the cells of a material, with points and weights only, by the rule
+    /// that integrates loads.
     template <int dim>
     FEValues<dim>
-    points_in_cells(const Mesh<dim> &mesh, const unsigned int degree)
+    points_in_cells(const Mesh<dim> &mesh, const unsigned int id, const unsigned int degree)
     {
-      static const FE_Nothing<dim> nothing;
+      const ReferenceCell          shape = mesh.reference_cell(mesh.body_of_material(id));
+      static const FE_Nothing<dim> cubes(ReferenceCells::get_hypercube<dim>()),
+        simplices(ReferenceCells::get_simplex<dim>());
       return FEValues<dim>(mesh.mapping(),
-                           nothing,
-                           QGauss<dim>(degree + 2),
+                           shape.is_simplex() ? simplices : cubes,
+                           cell_rule<dim>(shape, degree + 2),
                            update_quadrature_points | update_JxW_values);
     }
 
@@ -194,7 +197,7 @@ namespace Signorini
         times[id] = t;
         ++my_version;
         std::vector<Point<dim>> bad;
-        FEValues<dim>           values = points_in_cells(mesh, degrees[id]);
+        FEValues<dim>           values = points_in_cells(mesh, id, degrees[id]);
         // A uniform temperature needs no projection.
         const double uniform = one.depends_on_place() ? 0. : one.value({}, t, 0);
         for_known_cells(mesh, id, [&](const auto &cell) {
@@ -365,7 +368,7 @@ namespace Signorini
     std::array<double, 2>   extremes{{std::numeric_limits<double>::max(),
                                       std::numeric_limits<double>::max()}}; // lowest, minus highest
     std::vector<Point<dim>> bad;
-    FEValues<dim>           values = points_in_cells(mesh, degrees[id]);
+    FEValues<dim>           values = points_in_cells(mesh, id, degrees[id]);
     for_known_cells(mesh, id, [&](const auto &cell) {
       values.reinit(cell);
       for (const unsigned int q : values.quadrature_point_indices())

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/deformation.h"
+#include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include "verdict/checks.h"
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -72,18 +72,15 @@ namespace Signorini
       const Elasticity<dim>           &elasticity = s.elasticity;
       const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
       const FEValuesExtractors::Vector displacement(0);
-      hp::QCollection<dim>             rules;
-      for (unsigned int i = 0; i < elasticity.finite_elements().size(); ++i)
-        rules.push_back(QGauss<dim>(elasticity.finite_elements()[i].degree + 1));
-      hp::FEValues<dim>           values_of(elasticity.mesh().mappings(),
+      hp::FEValues<dim>                values_of(elasticity.mesh().mappings(),
                                   elasticity.finite_elements(),
-                                  rules,
+                                  gauss_rules(elasticity.finite_elements(), 1),
                                   update_values | update_gradients | update_quadrature_points |
                                     update_JxW_values);
-      std::vector<Energies>       energies(elasticity.mesh().n_bodies());
-      std::vector<Tensor<1, dim>> u;
-      std::vector<Tensor<2, dim>> gradient;
-      std::vector<Weighted>       volume;
+      std::vector<Energies>            energies(elasticity.mesh().n_bodies());
+      std::vector<Tensor<1, dim>>      u;
+      std::vector<Tensor<2, dim>>      gradient;
+      std::vector<Weighted>            volume;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         {
           const Material &material = elasticity.material(cell->material_id());

@@ -101,13 +101,14 @@ namespace Signorini
                   const CellIterator<dim>      &cell,
                   const unsigned int            face)
     {
-      constexpr unsigned int    n = GeometryInfo<dim>::vertices_per_face;
-      std::array<Point<dim>, n> corners;
-      Face<dim>                 result{cell, face, watched.kind(cell, face), {}, 0, {}};
+      const auto              reference = cell->reference_cell();
+      const unsigned int      n         = reference.face_reference_cell(face).n_vertices();
+      std::vector<Point<dim>> corners(n);
+      Face<dim>               result{cell, face, watched.kind(cell, face), {}, 0, {}};
       for (unsigned int i = 0; i < n; ++i)
         {
-          corners[i] = moved(cell, GeometryInfo<dim>::face_to_cell_vertices(face, i));
-          result.center += corners[i] / n;
+          corners[i] = moved(cell, reference.face_to_cell_vertices(face, i, 1));
+          result.center += corners[i] / double(n);
         }
       // The box is enlarged by half of the depth of the cell: penetrations are detected up to that
       // depth, and curved faces leave the box of their corners.

@@ -52,8 +52,9 @@ namespace
     FullMatrix<double>    M(K.m()); // int (n . sigma n)^2 dA
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
-        const SparseRow row = stress.row(unit_point<dim>(face, rule.point(q)), n, n);
-        Vector<double>  s(K.m());
+        const SparseRow row =
+          stress.row(unit_point<dim>(cell->reference_cell(), face, rule.point(q)), n, n);
+        Vector<double> s(K.m());
         for (const auto &[index, value] : row)
           s[std::find(indices.begin(), indices.end(), index) - indices.begin()] = value;
         FullMatrix<double> outer(K.m());
@@ -180,7 +181,7 @@ namespace
             {
               const FacePatch<dim> patch(scene.mesh->mapping(), 1, cell, f);
               stress.reinit(cell);
-              result.push_back(stress.at(unit_point<dim>(f, xi),
+              result.push_back(stress.at(unit_point<dim>(cell->reference_cell(), f, xi),
                                          stress_directions(n / n.norm(), true),
                                          patch.normal(xi),
                                          load));

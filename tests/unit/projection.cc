@@ -150,7 +150,8 @@ TEST_CASE_TEMPLATE("unit_point follows QProjector", D, Dim2, Dim3)
                                        quadrature,
                                        face,
                                        points);
-      CHECK(points[0].distance(unit_point<dim>(face, xi)) < 1e-15);
+      CHECK(points[0].distance(unit_point<dim>(ReferenceCells::get_hypercube<dim>(), face, xi)) <
+            1e-15);
     }
 }
 
@@ -224,8 +225,8 @@ TEST_CASE_TEMPLATE("a face of a cell is the mapping's face, its normal points ou
           {
             const FacePatch<dim> patch(mapping, k, cell, face);
             const Point<dim - 1> xi = random_point<dim - 1>(0, 1);
-            const Point<dim>     x =
-              mapping.transform_unit_to_real_cell(cell, unit_point<dim>(face, xi));
+            const Point<dim>     x  = mapping.transform_unit_to_real_cell(
+              cell, unit_point<dim>(ReferenceCells::get_hypercube<dim>(), face, xi));
             CHECK(x.distance(patch.position(xi)) < 1e-13);
             values.reinit(cell, face);
             CHECK((values.normal_vector(0) - patch.normal(middle.point(0))).norm() < 1e-12);

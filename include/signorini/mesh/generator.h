@@ -58,6 +58,21 @@ namespace Signorini
       return generate();
     }
 
+    /// @return whether the cells are triangles or tetrahedra; known before generate().
+    virtual bool
+    has_simplices() const
+    {
+      return false;
+    }
+
+    /// @return the polynomial degree that the displacement has unless the scene sets it: that of
+    /// the elements of a file; 0: the mesh suggests none.
+    virtual unsigned int
+    degree_of_elements() const
+    {
+      return 0;
+    }
+
     /// @return names of the sets of nodes.
     virtual std::vector<std::string>
     node_sets() const

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/quantities/kinds.h"
 #include "solid/cell_nodes.h"
+#include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
 namespace Signorini
@@ -21,7 +21,7 @@ namespace Signorini
     const LA::Vector                     ghosted    = elasticity.with_ghosts(s.displacement);
     hp::FEValues<dim>                    all_values(elasticity.mesh().mappings(),
                                  elasticity.finite_elements(),
-                                 hp::QCollection<dim>(QGauss<dim>(elasticity.degree() + 1)),
+                                 gauss_rules(elasticity.finite_elements(), 1),
                                  update_values | update_gradients | update_quadrature_points |
                                    update_JxW_values);
     const FEValuesExtractors::Vector     displacement(0);

@@ -148,7 +148,9 @@ namespace Signorini
       for (const unsigned int i : nodes_of_face(fe.base_element(0), face))
         {
           FaceNode   node{indices[fe.component_to_system_index(0, i)], {{0, 0}}, false, 1.};
-          const auto xi = face_parameter<dim>(face, fe.base_element(0).unit_support_point(i));
+          const auto xi = face_parameter<dim>(fe.reference_cell(),
+                                              face,
+                                              fe.base_element(0).unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
             {
               node.xi[d] = xi[d];

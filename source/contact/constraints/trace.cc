@@ -145,12 +145,13 @@ namespace Signorini
     // node of a face has one of them in each parameter.
     const std::vector<Point<1>> places = QGaussLobatto<1>(scalar.degree + 1).get_points();
     Element                     result{Polynomials::generate_complete_Lagrange_basis(places),
-                   std::vector<std::vector<Node>>(GeometryInfo<dim>::faces_per_cell)};
+                   std::vector<std::vector<Node>>(fe.reference_cell().n_faces())};
     for (unsigned int face = 0; face < result.nodes.size(); ++face)
       for (const unsigned int i : nodes_of_face(scalar, face))
         {
           Node       node{fe.component_to_system_index(0, i), {}};
-          const auto xi = face_parameter<dim>(face, scalar.unit_support_point(i));
+          const auto xi =
+            face_parameter<dim>(scalar.reference_cell(), face, scalar.unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
             // The number of the node along the parameter is found by its position, so that it does
             // not depend on the numbering of deal.II.

@@ -280,7 +280,7 @@ namespace Signorini
         if (is_new)
           stress.reinit(cell);
         const auto load = loads->at(*cell, face, point.position);
-        set_stress(stress.at(unit_point<dim>(face, paired.xi),
+        set_stress(stress.at(unit_point<dim>(cell->reference_cell(), face, paired.xi),
                              stress_directions(paired.master_point.normal, method.uses_slip()),
                              rest.normal(paired.xi),
                              load),

@@ -75,7 +75,7 @@ namespace Signorini
         for (Tensor<1, dim> &direction : directions)
           direction = -image.at_master(direction);
         const auto load     = loads->at(*cell, face, image.origin_of(master_point.rest));
-        BodyStress now      = stress->at(unit_point<dim>(face, xi),
+        BodyStress now      = stress->at(unit_point<dim>(cell->reference_cell(), face, xi),
                                     directions,
                                     image.at_master(boundary.rest[i].normal(xi)),
                                     load);

@@ -185,8 +185,8 @@ namespace Signorini
       static std::vector<unsigned int>
       with_parts(const Cell &cell, const unsigned int face, const unsigned int side)
       {
-        // The end points of the side in the reference cell, as numbers of vertices: bit d of the
-        // number is the coordinate x_d.
+        // The end points of the side in the reference cell, as numbers of vertices.
+        const auto                        reference = cell->reference_cell();
         std::array<unsigned int, dim - 1> ends;
         for (unsigned int i = 0; i < ends.size(); ++i)
           {
@@ -194,10 +194,10 @@ namespace Signorini
             xi[side / 2] = side % 2;
             if (dim == 3)
               xi[1 - side / 2] = i;
-            const Point<dim> x = unit_point<dim>(face, xi);
+            const Point<dim> x = unit_point<dim>(reference, face, xi);
             ends[i]            = 0;
-            for (unsigned int d = 0; d < dim; ++d)
-              ends[i] += x[d] > 0.5 ? 1 << d : 0;
+            while (reference.template vertex<dim>(ends[i]).distance(x) > 1e-10)
+              ++ends[i];
           }
         if constexpr (dim == 2)
           return {cell->vertex_index(ends[0])};

@@ -159,7 +159,7 @@ namespace Signorini
         for (const Point<dim - 1> &xi : face_lattice<dim>(degree))
           {
             result.emplace_back();
-            const Point<dim> x = unit_point<dim>(face, xi);
+            const Point<dim> x = unit_point<dim>(fe.reference_cell(), face, xi);
             for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
               {
                 Shape                shape{i, fe.shape_value(i, x), {}};
@@ -167,9 +167,7 @@ namespace Signorini
                 double               size  = std::abs(shape.value);
                 for (unsigned int d = 0; d < dim - 1; ++d)
                   {
-                    // The parameters of a face normal to axis a are the axes a + 1 and a + 2,
-                    // cyclically, as in unit_point().
-                    shape.slopes[d] = slope[(face / 2 + 1 + d) % dim];
+                    shape.slopes[d] = slope * face_direction<dim>(fe.reference_cell(), face, d);
                     size            = std::max(size, std::abs(shape.slopes[d]));
                   }
                 if (size > 1e-14)

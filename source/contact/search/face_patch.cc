@@ -40,7 +40,9 @@ namespace Signorini
     {
       std::vector<Point<dim>> nodes;
       for (const Point<dim - 1> &xi : face_lattice<dim>(k))
-        nodes.push_back(mapping.transform_unit_to_real_cell(cell, unit_point<dim>(face, xi)));
+        nodes.push_back(
+          mapping.transform_unit_to_real_cell(cell,
+                                              unit_point<dim>(cell->reference_cell(), face, xi)));
       return nodes;
     }
 
@@ -144,9 +146,8 @@ namespace Signorini
     Parameter middle;
     for (unsigned int d = 0; d < dim - 1; ++d)
       middle[d] = 0.5;
-    const Point<dim> on_face = unit_point<dim>(face, middle);
-    Point<dim>       inside  = on_face;
-    inside[face / 2] += face % 2 == 0 ? 1e-3 : -1e-3;
+    const Point<dim> on_face = unit_point<dim>(cell->reference_cell(), face, middle);
+    const Point<dim> inside  = on_face + 1e-3 * inward_direction<dim>(cell->reference_cell(), face);
     const Tensor<1, dim> outwards = mapping.transform_unit_to_real_cell(cell, on_face) -
                                     mapping.transform_unit_to_real_cell(cell, inside);
     outward = parametric_normal<dim>(tangents(middle)) * outwards > 0 ? 1. : -1.;

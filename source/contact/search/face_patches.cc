@@ -12,19 +12,19 @@ namespace Signorini
     /// The nodes of a face, lexicographic, then its middle and a point inside of the cell.
     template <int dim>
     Quadrature<dim>
-    places_on(const unsigned int face, const unsigned int k)
+    places_on(const ReferenceCell &cell, const unsigned int face, const unsigned int k)
     {
       std::vector<Point<dim>> points;
       for (const Point<dim - 1> &xi : face_lattice<dim>(k))
-        points.push_back(unit_point<dim>(face, xi));
+        points.push_back(unit_point<dim>(cell, face, xi));
       Point<dim - 1> middle;
       for (unsigned int d = 0; d < dim - 1; ++d)
         middle[d] = 0.5;
-      points.push_back(unit_point<dim>(face, middle));
+      points.push_back(unit_point<dim>(cell, face, middle));
       // A step along the third coordinate line leaves the face to the inside wherever the mapping
       // is valid; the center of a flat or strongly curved cell may lie on the wrong side.
       points.push_back(points.back());
-      points.back()[face / 2] += face % 2 == 0 ? 1e-3 : -1e-3;
+      points.back() += 1e-3 * inward_direction<dim>(cell, face);
       return Quadrature<dim>(points);
     }
 
@@ -66,10 +66,20 @@ namespace Signorini
   FacePatches<dim>::FacePatches(const Mesh<dim> &mesh)
     : degree(mesh.surface_degree())
   {
-    static const FE_Nothing<dim> nothing;
-    for (unsigned int face = 0; face < GeometryInfo<dim>::faces_per_cell; ++face)
-      values.push_back(std::make_unique<FEValues<dim>>(
-        mesh.surface_mapping(), nothing, places_on<dim>(face, degree), update_quadrature_points));
+    static const FE_Nothing<dim> nothing(ReferenceCells::get_hypercube<dim>()),
+      nothing_on_simplices(ReferenceCells::get_simplex<dim>());
+    const auto add = [&](const FE_Nothing<dim> &fe, auto &of_faces) {
+      for (const unsigned int face : fe.reference_cell().face_indices())
+        of_faces.push_back(
+          std::make_unique<FEValues<dim>>(mesh.surface_mapping(),
+                                          fe,
+                                          places_on<dim>(fe.reference_cell(), face, degree),
+                                          update_quadrature_points));
+    };
+    if (mesh.has_hypercubes())
+      add(nothing, of_hypercubes);
+    if (mesh.has_simplices())
+      add(nothing_on_simplices, of_simplices);
   }
 
 
@@ -79,8 +89,10 @@ namespace Signorini
   FacePatches<dim>::operator()(const typename Triangulation<dim>::cell_iterator &cell,
                                const unsigned int                                face)
   {
-    values[face]->reinit(cell);
-    std::vector<Point<dim>> nodes    = values[face]->get_quadrature_points();
+    FEValues<dim> &values =
+      *(cell->reference_cell().is_simplex() ? of_simplices : of_hypercubes)[face];
+    values.reinit(cell);
+    std::vector<Point<dim>> nodes    = values.get_quadrature_points();
     const Tensor<1, dim>    outwards = nodes[nodes.size() - 2] - nodes.back();
     nodes.resize(nodes.size() - 2);
     const unsigned int k = lower_degree(nodes, degree);

@@ -26,7 +26,7 @@ namespace Signorini
 
   private:
     const unsigned int degree;
-    /// Evaluation of the mapping on each face of a cell.
-    std::vector<std::unique_ptr<dealii::FEValues<dim>>> values;
+    /// Evaluation of the mapping on each face of a cell, by its shape; empty if no body has it.
+    std::vector<std::unique_ptr<dealii::FEValues<dim>>> of_hypercubes, of_simplices;
   };
 } // namespace Signorini

@@ -120,7 +120,7 @@ namespace Signorini
     const auto nodes_of_faces = [&](const FiniteElement<dim> &fe) -> const auto &
     {
       auto &nodes = nodes_of_elements[&fe];
-      for (unsigned int f = nodes.size(); f < GeometryInfo<dim>::faces_per_cell; ++f)
+      for (unsigned int f = nodes.size(); f < fe.reference_cell().n_faces(); ++f)
         nodes.push_back(nodes_of_face(fe.base_element(0), f));
       return nodes;
     };

@@ -40,6 +40,8 @@ namespace Signorini
     , geometry_degree(elasticity.mesh().geometry_degree())
     , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
   {
+    if (elasticity.mesh().has_simplices())
+      simplex = std::make_shared<const FE_SimplexP<dim>>(std::min(geometry_degree, 2u));
     // Multi-indices of the nodes of the cell's geometry, lexicographic.
     const unsigned int n = geometry_degree + 1;
     for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
@@ -74,12 +76,19 @@ namespace Signorini
     cell = new_cell;
     read_indices<dim>(cell, indices);
     nodes.clear();
+    const Mapping<dim> &mapping = elasticity.mesh().mapping();
+    if (cell->reference_cell().is_simplex())
+      {
+        for (const Point<dim> &p : simplex->get_unit_support_points())
+          nodes.push_back(mapping.transform_unit_to_real_cell(cell, p));
+        return;
+      }
     for (const auto &unit_x : lattice)
       {
         Point<dim> p;
         for (unsigned int d = 0; d < dim; ++d)
           p[d] = double(unit_x[d]) / geometry_degree;
-        nodes.push_back(elasticity.mesh().mapping().transform_unit_to_real_cell(cell, p));
+        nodes.push_back(mapping.transform_unit_to_real_cell(cell, p));
       }
   }
 
@@ -91,8 +100,14 @@ namespace Signorini
   Tensor<2, dim>
   NormalStress<dim>::jacobian(const Point<dim> &unit_point) const
   {
+    Tensor<2, dim> J;
+    if (cell->reference_cell().is_simplex())
+      {
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          J += outer_product(Tensor<1, dim>(nodes[i]), simplex->shape_grad(i, unit_point));
+        return J;
+      }
     const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
-    Tensor<2, dim>                 J;
     auto                           node = nodes.begin();
     for (const auto &unit_x : lattice)
       J += outer_product(Tensor<1, dim>(*node++), basis.gradient(unit_x));
@@ -105,8 +120,14 @@ namespace Signorini
   Point<dim>
   NormalStress<dim>::position(const Point<dim> &unit_point) const
   {
+    Point<dim> x;
+    if (cell->reference_cell().is_simplex())
+      {
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          x += simplex->shape_value(i, unit_point) * nodes[i];
+        return x;
+      }
     const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
-    Point<dim>                     x;
     auto                           node = nodes.begin();
     for (const auto &unit_x : lattice)
       x += basis.value(unit_x) * *node++;

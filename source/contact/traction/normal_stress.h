@@ -9,9 +9,11 @@
 #include "solid/kernel.h"
 #include "solid/surface_loads.h"
 
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace Signorini
@@ -148,14 +150,16 @@ namespace Signorini
     dealii::Tensor<2, dim>
     jacobian(const dealii::Point<dim> &unit_point) const;
 
-    const Elasticity<dim>                       &elasticity;
-    LA::Vector                                   displacement; ///< with ghosts; empty: at rest
-    const unsigned int                           geometry_degree;
-    StiffnessKernel<dim>                         kernel;
-    std::vector<std::array<unsigned int, dim>>   lattice; ///< places of the geometry's nodes
-    Cell                                         cell;
-    std::vector<dealii::Point<dim>>              nodes; ///< of the geometry
-    std::vector<dealii::types::global_dof_index> indices;
+    const Elasticity<dim>                     &elasticity;
+    LA::Vector                                 displacement; ///< with ghosts; empty: at rest
+    const unsigned int                         geometry_degree;
+    StiffnessKernel<dim>                       kernel;
+    std::vector<std::array<unsigned int, dim>> lattice; ///< places of the geometry's nodes
+    /// The element of the geometry of simplices; null if there are none.
+    std::shared_ptr<const dealii::FE_SimplexP<dim>> simplex;
+    Cell                                            cell;
+    std::vector<dealii::Point<dim>>                 nodes; ///< of the geometry
+    std::vector<dealii::types::global_dof_index>    indices;
   };
 
   /// The rows of B and S to which some points of one slave face contribute, as dense matrices:

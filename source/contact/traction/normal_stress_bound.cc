@@ -73,7 +73,9 @@ namespace Signorini
         for (unsigned int a = 0; a < n_components; ++a)
           {
             const std::vector<double> row =
-              coefficients(unit_point<dim>(face, rule.point(q)), directions[a], normal);
+              coefficients(unit_point<dim>(cell->reference_cell(), face, rule.point(q)),
+                           directions[a],
+                           normal);
             for (unsigned int i = 0; i < n; ++i)
               stress(q * n_components + a, i) = root * row[i];
           }

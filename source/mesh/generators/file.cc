@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/generators/file.h"
 
+#include "geometry/cell_size.h"
 #include "mesh_import/cells.h"
 #include "mesh_import/division/chosen_cells.h"
 #include "mesh_import/import_steps.h"
@@ -9,7 +10,6 @@
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/bounding_box.h>
-#include <deal.II/base/geometry_info.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,15 +53,11 @@ namespace Signorini
     {
       for (const auto &cell : triangulation.active_cell_iterators())
         {
-          Point<dim>     corners[GeometryInfo<dim>::vertices_per_cell];
-          Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
-          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-            corners[v] = cell->vertex(v);
-          // The determinants of the mapping at the vertices; the comparison below is also true for
-          // NaN.
-          GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
-          for (const Tensor<0, dim> &volume : volumes)
-            if (!(volume > 0))
+          std::vector<Point<dim>> corners;
+          for (const unsigned int v : cell->vertex_indices())
+            corners.push_back(cell->vertex(v));
+          for (const double volume : determinants_at_corners(corners))
+            if (!(volume > 0)) // also NaN
               throw SceneError(
                 "folds element " +
                 std::to_string(part.elements[cell->active_cell_index()]->number) +
@@ -164,6 +160,36 @@ namespace Signorini
 
 
 
+    /// Throw SceneError if the cells of a part are not all of one shape that needs no division.
+    void
+    check_shapes(const MeshFile                  &file,
+                 const std::vector<unsigned int> &cells,
+                 const unsigned int               dim)
+    {
+      using Shape                    = MeshFile::Shape;
+      const Shape        cube        = dim == 2 ? cell_shape<2> : cell_shape<3>;
+      const unsigned int n           = std::count_if(cells.begin(),
+                                           cells.end(),
+                                           [&](const auto c) {
+                                             return file.elements[c].shape == cube;
+                                           }),
+                         n_triangles = std::count_if(cells.begin(), cells.end(), [&](const auto c) {
+                           return file.elements[c].shape == Shape::triangle;
+                         });
+      if (n == cells.size() || (dim == 2 && n_triangles == cells.size()))
+        return;
+      throw SceneError(
+        dim == 3 ? "has " + std::to_string(cells.size() - n) +
+                     " cells that are not hexahedra, which are to be kept; that is possible for "
+                     "triangles only: set Cells = hexahedra" :
+                   "has " + std::to_string(n_triangles) + " triangles among " +
+                     std::to_string(cells.size()) +
+                     " cells; a body may consist of triangles or quadrilaterals, not of both: set "
+                     "Cells = quadrilaterals");
+    }
+
+
+
     /// @return whether a list contains a name.
     bool
     is_in(const std::string &name, const std::vector<std::string> &names)
@@ -216,6 +242,11 @@ namespace Signorini
   {
     FileSelection result = selection;
     recognise_collapsed_cells(all, cells_of_part(all, dim, selection.part));
+    if (cells_as_in_file)
+      {
+        check_shapes(all, cells_of_part(all, dim, selection.part), dim);
+        return result;
+      }
     if (!ChosenCells(all, dim, selection.part).any)
       return result;
     if (selection.coinciding_nodes == CoincidingPoints::merge)
@@ -261,11 +292,14 @@ namespace Signorini
         key = "Boundaries";
         check_groups(all, selection.boundaries);
 
-        key                       = "File";
+        key                       = cells_as_in_file ? "Cells" : "File";
         const FileSelection after = divide(all, notes);
         const FilePart<dim> part(all, after);
         append(part.notes, notes);
-        nodes         = part.nodes;
+        key   = "File";
+        nodes = part.nodes;
+        if (part.cells[0].vertices.size() == dim + 1)
+          order_of_simplices = part.elements[0]->nodes.size() > dim + 1 ? 2 : 1;
         sets_of_cells = cell_sets_of(all, part);
         if (!part.touching_pieces.empty())
           unless_pair = place_of["File"] + ": mesh file '" + path + "' " + part.touching_pieces;

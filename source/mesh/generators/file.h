@@ -62,6 +62,18 @@ namespace Signorini
       return is_curved;
     }
 
+    bool
+    has_simplices() const override
+    {
+      return order_of_simplices > 0;
+    }
+
+    unsigned int
+    degree_of_elements() const override
+    {
+      return order_of_simplices;
+    }
+
     std::vector<std::string>
     node_sets() const override
     {
@@ -113,7 +125,9 @@ namespace Signorini
     std::string   file, curved_text = "automatic", temperature_field;
     std::string   node_set_text, face_set_text, cell_set_text;
     FileSelection selection;
-    bool          mid_side_nodes = true;
+    bool          mid_side_nodes = true, cells_as_in_file = false;
+    /// The order of the elements if they are simplices, otherwise 0.
+    unsigned int order_of_simplices = 0;
     /// The surfaces that `curved_text` describes.
     std::vector<CurvedBoundary<dim>> surfaces;
     /// Positions of keys in the scene.

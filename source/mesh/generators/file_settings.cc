@@ -44,6 +44,15 @@ namespace Signorini
         " (Gmsh), instance or element set (Abaqus) or ARRAY VALUE of cell data (VTK) of the body, "
         "with separate nodes; or piece1, piece2, ...: connected components that are no set; empty: "
         "all cells");
+    section.add_choice(
+      "Cells",
+      cells_as_in_file,
+      {{dim == 2 ? "quadrilaterals" : "hexahedra", false}, {"as in file", true}},
+      dim == 2 ?
+        "quadrilaterals: each triangle is divided into three quadrilaterals; as in file: triangles "
+        "are kept, with the degrees of freedom of the file and without refinement" :
+        "hexahedra: tetrahedra, wedges and pyramids are divided into hexahedra; as in file: only "
+        "files of hexahedra are accepted");
     section.add("Boundaries",
                 selection.boundaries,
                 "names in the file that are boundaries, separated by commas; a face belongs to the "
@@ -103,6 +112,7 @@ namespace Signorini
       section.fail("File", "is required for Mesh = file");
     surfaces = read_curved_boundaries<dim>(curved_text, section);
     for (const char *key : {"File",
+                            "Cells",
                             "Part",
                             "Boundaries",
                             "Curved boundaries",

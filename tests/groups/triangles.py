@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bodies whose triangles are kept: scenes of other groups, whose boxes and rings are replaced by files of triangles."""
+
+import math
+import re
+from dataclasses import dataclass
+
+from case import SCENES, Case, method, number
+from convergence import rate_of
+from patch import EXACT, SWAPPED, uniform
+
+METHODS = {"multiplier": method("Lagrange multiplier"), "augmented": method("augmented Lagrangian"),
+           "nitsche": method("Nitsche"), "penalty": method("penalty", Factor=1e6)}
+
+
+@dataclass
+class Grid:
+    """Triangles over a rectangle of nx x ny quadrilaterals with diagonals in turn, mapped by `at`. Sides are named left,
+    right, bottom and top by what they are in the rectangle, or by `names`."""
+
+    nx: int
+    ny: int
+    at: callable  # of a point in [0, 1]^2
+    order: int = 2
+    names: tuple = ("left", "right", "bottom", "top")
+
+    def text(self):
+        m, numbers, elements = self.order, {}, []
+        for j in range(self.ny):
+            for i in range(self.nx):
+                a, b, c, d = ((m * (i + x), m * (j + y)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+                for corners in ((a, b, c), (a, c, d)) if (i + j) % 2 == 0 else ((a, b, d), (b, c, d)):
+                    nodes = list(corners)
+                    if m == 2:
+                        nodes += [tuple((p[k] + q[k]) // 2 for k in (0, 1))
+                                  for p, q in zip(corners, corners[1:] + corners[:1])]
+                    elements.append([numbers.setdefault(node, len(numbers) + 1) for node in nodes])
+        lines = ["*NODE"]
+        for (i, j), number in numbers.items():
+            x, y = self.at(i / m / self.nx, j / m / self.ny)
+            lines.append(f"{number}, {x!r}, {y!r}")
+        lines.append(f"*ELEMENT, TYPE={'CPE3' if m == 1 else 'CPE6'}, ELSET=ALL")
+        lines += [f"{e + 1}, " + ", ".join(map(str, nodes)) for e, nodes in enumerate(elements)]
+        for name, (axis, end) in zip(self.names, ((0, 0), (0, m * self.nx), (1, 0), (1, m * self.ny))):
+            lines += [f"*NSET, NSET={name}"] + [f"{number}," for node, number in numbers.items() if node[axis] == end]
+        return "\n".join(lines) + "\n"
+
+
+def values_of(key, text):
+    return [float(x) for x in re.split("[,:]", re.search(rf"set {key} *= (.*)", text)[1])]
+
+
+def box(body, order, factor):
+    """The grid of a body with corners and subdivisions."""
+    x0, y0, x1, y1 = values_of("Corners", body)
+    nx, ny = (round(factor * n) for n in values_of("Subdivisions", body))
+
+    def at(s, t):
+        return x0 + (x1 - x0) * s, y0 + (y1 - y0) * t
+    return Grid(nx, ny, at, order)
+
+
+def ring(body, order, factor):
+    inner, outer = (values_of(f"{which} radius", body)[0] for which in ("Inner", "Outer"))
+    around, through = (round(factor * values_of(f"Cells {way}", body)[0]) for way in ("around", "through"))
+
+    def at(s, t):
+        radius, angle = inner + (outer - inner) * s, math.pi / 2 * t
+        return radius * math.cos(angle), radius * math.sin(angle)
+    return Grid(through, around, at, order, ("inner", "outer", "symmetry_y", "symmetry_x"))
+
+
+def with_triangles(test, scene, order, factor=1, bodies=None, extra=""):
+    """The scene with files of triangles, beside the runs. bodies: their names; none: all."""
+    text, stem = scene.read_text(), f"{scene.stem}-{order}-{factor:g}-{'-'.join(bodies or ['all'])}"
+
+    def replaced(match):
+        body, keys = match[1], match[0]
+        if not re.search("set (Corners|Cells around)", keys) or bodies and body not in bodies:
+            return keys
+        grid = (ring if "Cells around" in keys else box)(keys, order, factor)
+        test.write(f"{stem}-{body}.inp", grid.text())
+        kept = re.sub(r" *set (Mesh|Corners|Subdivisions|Inner radius|Outer radius|Part|Cells \w+) .*\n", "", keys)
+        return kept.replace(f"subsection {body}\n", f"subsection {body}\n    set Mesh = file\n"
+                            f"    set File = {stem}-{body}.inp\n    set Cells = as in file\n", 1)
+    text = re.sub(r"subsection (\w+)\n(?: *set .*\n)+", replaced, text)
+    text = re.sub(r"(subsection Mesh\n *)set Refinements *= \d+", r"\1set Refinements = 0", text)
+    return test.write(f"{stem}.prm", text + extra)
+
+
+def patch(order, bodies, sets, ranks, penetrates=False):
+    def body(test):
+        scene = with_triangles(test, SCENES / "patch-2d.prm", order, bodies=bodies)
+        uniform(scene.resolve().with_suffix(""), sets, EXACT["patch-2d"], penetrates=penetrates, exact=1e-4 if penetrates else 1e-6, ranks=ranks)(test)
+    return body
+
+
+def converges(scene, order, factors, quantity, least, last_error, reference=None, sets=()):
+    """As in convergence.py, with meshes of triangles of sizes 1/factor."""
+    def body(test):
+        errors = []
+        for factor in factors:
+            found = number(test.results(with_triangles(test, SCENES / f"{scene}.prm", order, factor), sets), quantity)
+            errors.append(abs(found) if reference is None else abs(found / reference - 1))
+            test.print(f"{factor:5g} {found:16.9g} {errors[-1]:12.2e}")
+        rate = rate_of(factors, errors, key="factor")
+        test.print(f"rate {rate:.2f}")
+        test.check(rate >= least, f"the last rate is {rate:.2f}, at least {least:g} is wanted")
+        test.check(errors[-1] <= last_error, f"the last error is {errors[-1]:.2e}, larger than {last_error:g}")
+    return body
+
+
+def same_expected(scene, order, sets=(), ranks=1):
+    """The scene's own expected results hold."""
+    def body(test):
+        results = test.results(with_triangles(test, SCENES / f"{scene}.prm", order), sets, ranks)
+        for name, one in results["expected"].items():
+            test.check(one["holds"], f"{name}: {one['value']:.9g} instead of {one['reference']:.9g}")
+    return body
+
+
+def cases():
+    for order in (1, 2):
+        for bodies in (None, ["lower"], ["upper"]):
+            for i, (name, sets) in enumerate(METHODS.items()):
+                ranks = 2 if (i + order) % 2 else 1
+                where = "-".join(bodies or ["all"])
+                degree = [] if bodies is None else [f"Mesh/Degree={order}"]
+                yield Case("triangles/patch", f"order-{order}/{where}/{name}",
+                           patch(order, bodies, sets + degree, ranks, name == "penalty"), ranks)
+                if bodies:
+                    yield Case("triangles/patch", f"order-{order}/{where}/{name}-swapped",
+                               patch(order, bodies, sets + degree + SWAPPED, ranks, name == "penalty"), ranks)
+    yield from orders()
+    yield from scenes_with_triangles()
+
+
+def orders():
+    """The orders of quadrilaterals, see polynomials() and closed_forms() of convergence.py."""
+    for order, scene, quantity, least in ((1, "polynomial", "energy", 0.9), (1, "polynomial", "displacement", 1.8),
+                                          (1, "polynomial", "pressure", 0.9), (2, "polynomial", "energy", 1.4),
+                                          (2, "polynomial", "pressure", 1.4), (2, "polynomial-smooth", "energy", 1.9),
+                                          (2, "polynomial-smooth", "displacement", 2.8)):
+        for name in ("multiplier", "nitsche"):
+            yield Case(f"triangles/{scene}-{order}", f"{quantity}/{name}", labels={"full"}, body=converges(
+                scene, order, (2.5, 4.5, 8.5, 16.5), f"errors/{quantity}", least, math.inf,
+                sets=[*METHODS[name], "Mesh/Refinements=0"]))
+    for order, quantity, reference, least, last in ((1, "probes/rim/displacement/0", 0.0277534133, 1.8, 3e-4),
+                                                    (2, "probes/rim/displacement/0", 0.0277534133, 1.8, 3e-4)):
+        for name in ("multiplier", "nitsche"):
+            yield Case("triangles/shrink-fit", f"order-{order}/{name}", labels={"full"}, body=converges(
+                "shrink-fit", order, (1, 2, 4), quantity, least, last, reference, METHODS[name]))
+
+
+def scenes_with_triangles():
+    """Results that are exact on any mesh, and others to the tolerance of their scenes: friction, temperature, equations,
+    ties, finite strain, axial symmetry."""
+    scenes = ("coupling-bending", "finite-ramp", "finite-turned-stack", "friction-plate", "friction-travel", "late-tie",
+              "led-cylinder", "patch-inclined", "pretension", "thermal-bimetal", "thermal-lift",
+              "thermal-rings-axisymmetric", "tied-three")
+    for i, scene in enumerate(scenes):
+        for order in (1, 2):
+            ranks = 1 + (i + order) % 2
+            yield Case("triangles/scenes", f"{scene}/order-{order}", same_expected(scene, order, ranks=ranks), ranks)
