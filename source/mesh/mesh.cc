@@ -3,6 +3,7 @@
 
 #include "base/compatibility.h"
 #include "geometry/extent.h"
+#include "mesh/any_cell_mapping.h"
 #include "mesh/cell_mapping.h"
 #include <signorini/parameters/section.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/simplex_mapping.h"
+#include "mesh/any_cell_mapping.h"
 
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/manifold.h>

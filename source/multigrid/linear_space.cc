@@ -256,12 +256,7 @@ namespace Signorini
                 }
           }
     }
-  } // namespace
 
-
-
-  namespace
-  {
     /// The vertices of a cell whose mean is the position of a node.
     template <int dim>
     std::vector<unsigned int>
