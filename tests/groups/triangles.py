@@ -126,8 +126,9 @@ def cases():
                 ranks = 2 if (i + order) % 2 else 1
                 where = "-".join(bodies or ["all"])
                 degree = [] if bodies is None else [f"Mesh/Degree={order}"]
+                labels = {"quick", "sanitized"} if bodies is None and order == 2 else {"quick"}
                 yield Case("triangles/patch", f"order-{order}/{where}/{name}",
-                           patch(order, bodies, sets + degree, ranks, name == "penalty"), ranks)
+                           patch(order, bodies, sets + degree, ranks, name == "penalty"), ranks, labels)
                 if bodies:
                     yield Case("triangles/patch", f"order-{order}/{where}/{name}-swapped",
                                patch(order, bodies, sets + degree + SWAPPED, ranks, name == "penalty"), ranks)

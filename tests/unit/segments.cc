@@ -171,6 +171,60 @@ TEST_CASE("the segment of two rotated squares is exact")
 
 
 
+TEST_CASE("a part of a parallelogram has three points, inside, which integrate degree 2")
+{
+  std::mt19937                           random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const QGaussSimplex<2>                 exact(3);
+  const Quadrature<2> of_degree_2({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
+                                  {1. / 6, 1. / 6, 1. / 6});
+  unsigned int        n_parts = 0;
+  for (unsigned int trial = 0; trial < 400; ++trial)
+    {
+      const auto parallelogram = [&](const double size, const double height) {
+        const Point<3>     corner(number(random) - size / 2, number(random) - size / 2, height);
+        const Tensor<1, 3> a = Point<3>(size, 0.3 * size * number(random), 0),
+                           b = Point<3>(0.3 * size * number(random), size, 0);
+        return FacePatch<3>(1, {corner, corner + a, corner + b, corner + a + b}, 1);
+      };
+      const FacetedFace<3> slave(parallelogram(2, 0)), master(parallelogram(1.2, 0.1));
+      const auto           points = segment_points(slave, master, of_degree_2),
+                 reference        = segment_points(slave, master, exact);
+      double covered              = 0;
+      for (const auto &point : points)
+        covered += point.weight;
+      if (points.empty() || covered > 0.5 * slave.patch.jacobian({0.5, 0.5}))
+        continue;
+      ++n_parts;
+      CHECK(points.size() == 3);
+      for (const auto &point : points)
+        for (const auto &[face, xi] :
+             {std::make_pair(&slave, point.slave), std::make_pair(&master, point.master)})
+          {
+            // The parameters are clamped to the faces: that of a point inside gives the point back.
+            const Point<3> y = face->patch.position(xi), x = slave.patch.position(point.slave);
+            CHECK(std::hypot(x[0] - y[0], x[1] - y[1]) < 1e-12);
+          }
+      for (unsigned int p = 0; p <= 2; ++p)
+        for (unsigned int q = 0; p + q <= 2; ++q)
+          {
+            const auto moment = [&](const auto &list) {
+              double sum = 0;
+              for (const auto &point : list)
+                {
+                  const Point<3> x = slave.patch.position(point.slave);
+                  sum += point.weight * std::pow(x[0], p) * std::pow(x[1], q);
+                }
+              return sum;
+            };
+            CHECK(std::abs(moment(points) - moment(reference)) < 1e-12);
+          }
+    }
+  CHECK(n_parts > 100);
+}
+
+
+
 TEST_CASE_TEMPLATE("pairs by segments: every rank gets the points of its faces", D, Dim2, Dim3)
 {
   constexpr int  dim  = D::value;

@@ -143,9 +143,12 @@ namespace Signorini
       return polygon;
     }
 
-    // The common part of two flat facets as simplices.
-    std::vector<std::array<Point<1>, 2>>
-    intersection(const Flat<1> &a, const Flat<1> &b)
+    /// Quadrature points of the common part of two facets in the line.
+    std::vector<std::pair<Point<1>, double>>
+    common_points(const Flat<1> &a,
+                  const Flat<1> &b,
+                  const unsigned int /*n_facets*/,
+                  const Quadrature<1> &rule)
     {
       // The interval of one facet in the line of the other, whatever the direction of its parameter
       // is.
@@ -153,7 +156,11 @@ namespace Signorini
                    upper = std::min(std::max(a[0][0], a[1][0]), std::max(b[0][0], b[1][0]));
       if (lower >= upper)
         return {};
-      return {{{Point<1>(lower), Point<1>(upper)}}};
+      std::vector<std::pair<Point<1>, double>> result;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        result.emplace_back(Point<1>(lower + rule.point(q)[0] * (upper - lower)),
+                            rule.weight(q) * (upper - lower));
+      return result;
     }
 
     /// True if the bounding boxes of two flat facets are disjoint: a cheap test before clipping.
@@ -170,17 +177,115 @@ namespace Signorini
       return false;
     }
 
-    /// The common part as a fan of triangles around its first corner.
+    /// The fan of triangles around the first corner of a polygon.
     std::vector<std::array<Point<2>, 3>>
-    intersection(const Flat<2> &a, const Flat<2> &b)
+    fan_of(const Polygon &p)
     {
-      if (apart(a, b))
-        return {};
-      const Polygon                        p = clip(counterclockwise(b), counterclockwise(a));
       std::vector<std::array<Point<2>, 3>> triangles;
       for (std::size_t i = 1; i + 1 < p.size(); ++i)
         triangles.push_back({{p[0].x, p[i].x, p[i + 1].x}});
       return triangles;
+    }
+
+    double
+    volume(const std::array<Point<2>, 3> &x) // twice the area, as the reference triangle has 1/2
+    {
+      return cross(x[1] - x[0], x[2] - x[0]);
+    }
+
+    /// Points with weights [length^(dim-1)] in the plane of a facet.
+    template <int n>
+    using FlatPoints = std::vector<std::pair<Point<n>, double>>;
+
+    /// The point of a simplex with given reference coordinates.
+    template <int n>
+    Point<n>
+    in_simplex(const std::array<Point<n>, n + 1> &x, const Point<n> &s)
+    {
+      Point<n> y = x[0];
+      for (unsigned int d = 0; d < n; ++d)
+        y += s[d] * (x[d + 1] - x[0]);
+      return y;
+    }
+
+    /// Three points of a convex polygon with equal weights that have its area, centre and second
+    /// moments, so that they integrate polynomials of degree 2 exactly: c + L r_i with L L^T the
+    /// second moments about the centre c over the area, and r_i the corners of an equilateral
+    /// triangle on the circle of radius sqrt(2). They are inside: a convex set whose second moments
+    /// are the unit matrix contains the disc of that radius about its centre (R. Kannan, L. Lovász,
+    /// M. Simonovits: Isoperimetric problems for convex bodies and a localization lemma, Discrete &
+    /// Computational Geometry 13 (1995) 541, theorem 4.1).
+    FlatPoints<2>
+    points_of_degree_2(const Polygon &p)
+    {
+      // Integrals of 1, x and x x^T over the triangles, relative to the first corner.
+      double       area = 0;
+      Tensor<1, 2> first;
+      Tensor<2, 2> second;
+      for (const auto &triangle : fan_of(p))
+        {
+          const double       part = volume(triangle) / 2;
+          const Tensor<1, 2> a = triangle[1] - p[0].x, b = triangle[2] - p[0].x;
+          area += part;
+          first += part / 3 * (a + b);
+          second +=
+            part / 12 * (outer_product(a, a) + outer_product(b, b) + outer_product(a + b, a + b));
+        }
+      if (!(area > 0))
+        return {};
+      const Tensor<1, 2> center = first / area;
+      const Tensor<2, 2> about  = second / area - outer_product(center, center);
+      // The Cholesky factor. The lengths of slivers may be of the size of rounding.
+      const double l_00 = std::sqrt(std::max(about[0][0], 0.)),
+                   l_10 = l_00 > 0 ? about[1][0] / l_00 : 0.,
+                   l_11 = std::sqrt(std::max(about[1][1] - l_10 * l_10, 0.));
+      FlatPoints<2> result;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double angle = 2 * numbers::PI / 3 * i, x = numbers::SQRT2 * std::cos(angle),
+                       y = numbers::SQRT2 * std::sin(angle);
+          result.emplace_back(p[0].x + center + Tensor<1, 2>({l_00 * x, l_10 * x + l_11 * y}),
+                              area / 3);
+        }
+      return result;
+    }
+
+    /// @return whether a flat facet is a parallelogram up to a twentieth of its diagonal: its
+    /// functions are then polynomials of degree 2 in the plane, which those of others are not.
+    bool
+    is_parallelogram(const Flat<2> &x)
+    {
+      constexpr double most = 0.05;
+      return ((x[3] - x[2]) - (x[1] - x[0])).norm() < most * (x[3] - x[0]).norm();
+    }
+
+    /// Quadrature points of the common part of two flat facets. With a rule of degree 2 and between
+    /// parallelograms, a part that is no larger than about half of the slave face has three points,
+    /// whatever its shape is; others have those of the rule in each triangle of a fan: where a
+    /// single part covers a face, three points would not determine four functions. The limit is no
+    /// simple fraction, so that rounding does not decide on regular meshes.
+    /// @param n_facets of the face that has the first facet
+    FlatPoints<2>
+    common_points(const Flat<2>       &a,
+                  const Flat<2>       &b,
+                  const unsigned int   n_facets,
+                  const Quadrature<2> &rule)
+    {
+      if (apart(a, b))
+        return {};
+      constexpr unsigned int n_of_degree_2 = 3;
+      constexpr double       about_half    = 0.57;
+      const Polygon          ours = counterclockwise(a), p = clip(counterclockwise(b), ours);
+      if (rule.size() == n_of_degree_2 &&
+          signed_area(p) < about_half * n_facets * signed_area(ours) && is_parallelogram(a) &&
+          is_parallelogram(b))
+        return points_of_degree_2(p);
+      FlatPoints<2> result;
+      for (const auto &triangle : fan_of(p))
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          result.emplace_back(in_simplex<2>(triangle, rule.point(q)),
+                              rule.weight(q) * volume(triangle));
+      return result;
     }
 
     /// A piece of a side of a facet inside of another one, with its outward direction in the plane.
@@ -239,30 +344,6 @@ namespace Signorini
       return facet.place[side / 2] == (side % 2 == 0 ? 0 : per_line - 1);
     }
 
-    /// The length of a segment in the line.
-    double
-    volume(const std::array<Point<1>, 2> &x)
-    {
-      return x[1][0] - x[0][0];
-    }
-
-    double
-    volume(const std::array<Point<2>, 3> &x) // twice the area, as the reference triangle has 1/2
-    {
-      return cross(x[1] - x[0], x[2] - x[0]);
-    }
-
-    /// The point of a simplex with given reference coordinates.
-    template <int n>
-    Point<n>
-    in_simplex(const std::array<Point<n>, n + 1> &x, const Point<n> &s)
-    {
-      Point<n> y = x[0];
-      for (unsigned int d = 0; d < n; ++d)
-        y += s[d] * (x[d + 1] - x[0]);
-      return y;
-    }
-
     /// The parameter of a face from that of one of its facets, clamped to the face, since rounding
     /// may lead outside.
     template <int dim>
@@ -319,8 +400,7 @@ namespace Signorini
 
 
 
-  // Intersect each pair of facets, divide the intersection into simplices, and apply the rule to
-  // each of them. Not collective.
+  // Intersect each pair of facets, and choose points in the common part. Not collective.
   template <int dim>
   std::vector<SegmentPoint<dim>>
   segment_points(const FacetedFace<dim>    &slave,
@@ -329,10 +409,9 @@ namespace Signorini
   {
     std::vector<SegmentPoint<dim>> points;
     for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
-      for (const auto &simplex : intersection(pair.ours_flat, pair.theirs_flat))
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          points.push_back(
-            pair.at(in_simplex<dim - 1>(simplex, rule.point(q)), rule.weight(q) * volume(simplex)));
+      for (const auto &[y, weight] :
+           common_points(pair.ours_flat, pair.theirs_flat, slave.facets.size(), rule))
+        points.push_back(pair.at(y, weight));
     });
     return points;
   }
