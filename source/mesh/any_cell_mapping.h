@@ -30,6 +30,11 @@ namespace Signorini
     transform_real_to_unit_cell(const typename dealii::Triangulation<dim>::cell_iterator &cell,
                                 const dealii::Point<dim> &x) const override;
 
+    /// @return whether the determinant of the map is not positive at a node or at a point between
+    /// them.
+    bool
+    is_inverted(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+
     /// @return the corners and middles of lines of a cell.
     std::vector<dealii::Point<dim>>
     compute_mapping_support_points(

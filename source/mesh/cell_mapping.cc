@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 namespace Signorini
 {
@@ -121,7 +122,36 @@ namespace Signorini
     , unit_nodes(shapes->get_unit_support_points())
     , moved(std::make_shared<const Moved>())
   {
+    if (has_simplices && degree > 1)
+      check_simplices(triangulation);
     place_hanging_nodes(triangulation);
+  }
+
+
+
+  // Edges of triangles are curved by files, circles of the scene, and transformations; what inverts
+  // a cell is known only here, where all of them have acted.
+  template <int dim>
+  void
+  CellMapping<dim>::check_simplices(const Triangulation<dim> &triangulation) const
+  {
+    std::string first;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (first.empty() && cell->is_locally_owned() && cell->reference_cell().is_simplex() &&
+          this->simplices->is_inverted(cell))
+        {
+          std::ostringstream place;
+          place << cell->center();
+          first = place.str();
+        }
+    for (const std::string &of_rank :
+         Utilities::MPI::all_gather(triangulation.get_communicator(), first))
+      if (!of_rank.empty())
+        throw SceneError(
+          "Mesh: curved edges invert the triangle about (" + of_rank +
+          "): they are too long for its height; use smaller elements there, straight "
+          "edges (Curved boundaries = none, Mid-side nodes = no), or another "
+          "Transformation");
   }
 
 

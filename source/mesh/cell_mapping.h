@@ -64,6 +64,10 @@ namespace Signorini
     /// The hanging vertices, lines and quadrilaterals, by their numbers in the triangulation.
     struct Hanging;
 
+    /// Throw SceneError if a simplex is inverted. Collective.
+    void
+    check_simplices(const dealii::Triangulation<dim> &triangulation) const;
+
     /// Compute `moved`. Collective.
     void
     place_hanging_nodes(const dealii::Triangulation<dim> &triangulation);

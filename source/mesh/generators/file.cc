@@ -4,6 +4,7 @@
 #include "geometry/cell_size.h"
 #include "mesh_import/cells.h"
 #include "mesh_import/division/chosen_cells.h"
+#include "mesh_import/division/subdivisions.h"
 #include "mesh_import/import_steps.h"
 #include "mesh_import/pieces.h"
 #include "mesh_import/reconstruction/surface_reconstruction.h"
@@ -161,10 +162,11 @@ namespace Signorini
 
 
     /// Throw SceneError if the cells of a part are not all of one shape that needs no division.
-    void
-    check_shapes(const MeshFile                  &file,
-                 const std::vector<unsigned int> &cells,
-                 const unsigned int               dim)
+    /// @return whether they are triangles
+    bool
+    are_triangles(const MeshFile                  &file,
+                  const std::vector<unsigned int> &cells,
+                  const unsigned int               dim)
     {
       using Shape                    = MeshFile::Shape;
       const Shape        cube        = dim == 2 ? cell_shape<2> : cell_shape<3>;
@@ -177,7 +179,7 @@ namespace Signorini
                            return file.elements[c].shape == Shape::triangle;
                          });
       if (n == cells.size() || (dim == 2 && n_triangles == cells.size()))
-        return;
+        return n < cells.size();
       throw SceneError(
         dim == 3 ? "has " + std::to_string(cells.size() - n) +
                      " cells that are not hexahedra, which are to be kept; that is possible for "
@@ -186,6 +188,29 @@ namespace Signorini
                      std::to_string(cells.size()) +
                      " cells; a body may consist of triangles or quadrilaterals, not of both: set "
                      "Cells = quadrilaterals");
+    }
+
+
+
+    /// Throw SceneError if triangles that are kept are flat, or if neighbours of second order have
+    /// different nodes on their common edge.
+    /// @return a warning about nearly flat ones; none if there are none
+    std::vector<std::string>
+    check_triangles(MeshFile &file, const std::vector<unsigned int> &cells)
+    {
+      Centers     centers(file);
+      ShapeReport report(file, 2);
+      for (const unsigned int c : cells)
+        {
+          const MeshFile::Element &element = file.elements[c];
+          if (element.nodes.size() > n_corners(element.shape))
+            centers.take(element);
+          report.add(element, element);
+        }
+      std::vector<std::string> notes = report.notes();
+      if (!notes.empty() && notes[0].rfind("warning", 0) != 0)
+        notes.clear(); // of shapes that are no matter
+      return notes;
     }
 
 
@@ -242,12 +267,9 @@ namespace Signorini
   {
     FileSelection result = selection;
     recognise_collapsed_cells(all, cells_of_part(all, dim, selection.part));
-    if (cells_as_in_file)
-      {
-        check_shapes(all, cells_of_part(all, dim, selection.part), dim);
-        return result;
-      }
-    if (!ChosenCells(all, dim, selection.part).any)
+    const bool keeps_triangles =
+      cells_as_in_file && are_triangles(all, cells_of_part(all, dim, selection.part), dim);
+    if (!keeps_triangles && !ChosenCells(all, dim, selection.part).any)
       return result;
     if (selection.coinciding_nodes == CoincidingPoints::merge)
       {
@@ -255,7 +277,9 @@ namespace Signorini
         result.coinciding_nodes = CoincidingPoints::refuse;
         result.node_distance    = 0;
       }
-    append(divide_cells(all, dim, selection.part, mid_side_nodes), notes);
+    append(keeps_triangles ? check_triangles(all, cells_of_part(all, dim, selection.part)) :
+                             divide_cells(all, dim, selection.part, mid_side_nodes),
+           notes);
     return result;
   }
 

@@ -22,23 +22,25 @@ namespace Signorini
 
 
 
-    /// @return the scaled Jacobian at a corner of a quadrilateral or hexahedron in the numbering of
-    /// MeshFile: the triple product of the unit vectors along its edges (2D: the z component of the
-    /// cross product). Negative if the corner is folded, or the cell is listed the other way round.
+    /// @return the scaled Jacobian at a corner of a triangle, quadrilateral or hexahedron in the
+    /// numbering of MeshFile: the triple product of the unit vectors along its edges (2D: the z
+    /// component of the cross product). Negative if the corner is folded, or the cell is listed the
+    /// other way round.
     double
     scaled_jacobian(const MeshFile          &file,
                     const MeshFile::Element &cell,
                     const unsigned int       corner,
                     const unsigned int       dim)
     {
-      const unsigned int layer = corner / 4 * 4, i = corner % 4;
+      const unsigned int n     = dim == 2 ? n_corners(cell.shape) : 4; // around
+      const unsigned int layer = corner / n * n, i = corner % n;
       const Point<3>    &p    = file.nodes[cell.nodes[corner]];
       const auto         edge = [&](const unsigned int other) {
         const Tensor<1, 3> e = file.nodes[cell.nodes[other]] - p;
         return e / std::max(e.norm(), 1e-300);
       };
       const Tensor<1, 3> normal =
-        cross_product_3d(edge(layer + (i + 1) % 4), edge(layer + (i + 3) % 4));
+        cross_product_3d(edge(layer + (i + 1) % n), edge(layer + (i + n - 1) % n));
       if (dim == 2)
         return normal[2];
       return layer == 0 ? normal * edge(corner + 4) : -(normal * edge(corner - 4));
