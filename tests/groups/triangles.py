@@ -163,3 +163,44 @@ def scenes_with_triangles():
         for order in (1, 2):
             ranks = 1 + (i + order) % 2
             yield Case("triangles/scenes", f"{scene}/order-{order}", same_expected(scene, order, ranks=ranks), ranks)
+    yield Case("triangles/refusals", "refusals", refusals)
+
+
+# Two triangles of six nodes, whose common edge has two nodes in its middle.
+DOUBLED = """*NODE
+1, 0, 0
+2, 10, 0
+3, 10, 5
+4, 0, 5
+5, 5, 0
+6, 10, 2.5
+7, 5, 2.5
+8, 5, 5
+9, 0, 2.5
+10, 5, 2.5
+*ELEMENT, TYPE=CPE6, ELSET=ALL
+1, 1, 2, 3, 5, 6, 7
+2, 1, 3, 4, 10, 8, 9
+*NSET, NSET=left
+1, 4, 9
+*NSET, NSET=bottom
+1, 2, 5
+*NSET, NSET=top
+3, 4, 8
+"""
+
+
+def refusals(test):
+    """What cannot be right ends with exit code 2 and a message that says why."""
+    scene = with_triangles(test, SCENES / "patch-2d.prm", 2)
+    test.write("doubled.inp", DOUBLED)
+    test.write("flat.inp", DOUBLED.replace("10, 8, 9", "7, 8, 9").replace("4, 0, 5", "4, 5, 2.5"))
+    for scene, sets, words in (
+            (scene, ["Bodies/lower/File=doubled.inp"], "where a neighbour has another one"),
+            (scene, ["Bodies/lower/File=flat.inp"], "folded or flat"),
+            (scene, ["Bodies/lower/Transformation=x + 0.5*sin(0.7*pi*x); y"], "curved edges invert the triangle"),
+            (scene, ["Mesh/Refinements=1"], "no body beside such a one is refined"),
+            (scene, ["Accuracy/Refinement cycles=1"], "triangles are not refined"),
+            (scene, ["Bodies/lower/Poisson's ratio=0.5"], "triangles have no such form")):
+        run = test.run(scene, sets)
+        test.check(run.code == 2 and words in run.err, f"{sets}: exit code {run.code}, {run.err}")
