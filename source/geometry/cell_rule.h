@@ -10,10 +10,10 @@ namespace Signorini
   /// integrate polynomials of degree 2n - 1 in each coordinate; on simplices points that integrate
   /// all polynomials of total degree 2n - 1 (F. D. Witherden, P. E. Vincent: On the identification
   /// of symmetric quadrature rules for finite element methods, Computers & Mathematics with
-  /// Applications 69 (2015) 1232; above n = 5 products of Gauss points on the square or cube that
-  /// is collapsed). All weights are positive. Rules are made at the first call and kept.
+  /// Applications 69 (2015) 1232). All weights are positive. Rules are made at the first call and
+  /// kept.
   /// @param cell the reference cell, a hypercube or a simplex
-  /// @param n at least 1
+  /// @param n at least 1; at most 5 for tetrahedra, 7 for triangles
   template <int dim>
   const dealii::Quadrature<dim> &
   cell_rule(const dealii::ReferenceCell &cell, unsigned int n);

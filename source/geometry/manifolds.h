@@ -107,6 +107,13 @@ namespace Signorini
     double size;
   };
 
+  /// @return whether the determinant of the map of a simplex of second order is not positive at a
+  /// node or at a point between them.
+  /// @param nodes corners and middles of lines, in deal.II's order
+  template <int dim>
+  bool
+  is_inverted_simplex(const std::vector<dealii::Point<dim>> &nodes);
+
   /// The manifold of the interior, the faces and the lines of a curved cell.
   template <int dim>
   class QuadraticManifold : public dealii::ChartManifold<dim, dim, dim>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "geometry/cell_rule.h"
 #include "geometry/manifolds.h"
 
 #include <deal.II/base/utilities.h>
+#include <deal.II/fe/fe_simplex_p.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -277,6 +280,29 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  is_inverted_simplex(const std::vector<Point<dim>> &nodes)
+  {
+    static const FE_SimplexP<dim> shapes(2);
+    std::vector<Point<dim>>       samples = cell_rule<dim>(shapes.reference_cell(), 4).get_points();
+    samples.insert(samples.end(),
+                   shapes.get_unit_support_points().begin(),
+                   shapes.get_unit_support_points().end());
+    return std::any_of(samples.begin(), samples.end(), [&](const Point<dim> &sample) {
+      Tensor<2, dim> slope;
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        slope += outer_product(nodes[i] - nodes[0], shapes.shape_grad(i, sample));
+      return !(determinant(slope) > 0); // also NaN
+    });
+  }
+
+
+
+  template bool
+  is_inverted_simplex(const std::vector<Point<2>> &);
+  template bool
+  is_inverted_simplex(const std::vector<Point<3>> &);
   template class QuadraticMap<2>;
   template class QuadraticMap<3>;
   template class QuadraticManifold<2>;

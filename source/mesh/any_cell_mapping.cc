@@ -133,66 +133,6 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  AnyCellMapping<dim>::transform(const ArrayView<const Tensor<1, dim>> &input,
-                                 const MappingKind                      kind,
-                                 const InternalData                    &internal,
-                                 const ArrayView<Tensor<1, dim>>       &output) const
-  {
-    transform_by_cell(input, kind, internal, output);
-  }
-
-
-
-  template <int dim>
-  void
-  AnyCellMapping<dim>::transform(const ArrayView<const DerivativeForm<1, dim, dim>> &input,
-                                 const MappingKind                                   kind,
-                                 const InternalData                                 &internal,
-                                 const ArrayView<Tensor<2, dim>>                    &output) const
-  {
-    transform_by_cell(input, kind, internal, output);
-  }
-
-
-
-  template <int dim>
-  void
-  AnyCellMapping<dim>::transform(const ArrayView<const Tensor<2, dim>> &input,
-                                 const MappingKind                      kind,
-                                 const InternalData                    &internal,
-                                 const ArrayView<Tensor<2, dim>>       &output) const
-  {
-    transform_by_cell(input, kind, internal, output);
-  }
-
-
-
-  template <int dim>
-  void
-  AnyCellMapping<dim>::transform(const ArrayView<const DerivativeForm<2, dim, dim>> &input,
-                                 const MappingKind                                   kind,
-                                 const InternalData                                 &internal,
-                                 const ArrayView<Tensor<3, dim>>                    &output) const
-  {
-    transform_by_cell(input, kind, internal, output);
-  }
-
-
-
-  template <int dim>
-  void
-  AnyCellMapping<dim>::transform(const ArrayView<const Tensor<3, dim>> &input,
-                                 const MappingKind                      kind,
-                                 const InternalData                    &internal,
-                                 const ArrayView<Tensor<3, dim>>       &output) const
-  {
-    transform_by_cell(input, kind, internal, output);
-  }
-
-
-
-  template <int dim>
   std::unique_ptr<typename AnyCellMapping<dim>::InternalData>
   AnyCellMapping<dim>::both(std::unique_ptr<InternalData> of_hypercubes,
                             std::unique_ptr<InternalData> of_simplices)

@@ -30,11 +30,6 @@ namespace Signorini
     transform_real_to_unit_cell(const typename dealii::Triangulation<dim>::cell_iterator &cell,
                                 const dealii::Point<dim> &x) const override;
 
-    /// @return whether the determinant of the map is not positive at a node or at a point between
-    /// them.
-    bool
-    is_inverted(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
-
     /// @return the corners and middles of lines of a cell.
     std::vector<dealii::Point<dim>>
     compute_mapping_support_points(
@@ -83,35 +78,52 @@ namespace Signorini
       const dealii::ArrayView<const dealii::Point<dim>> &real_points,
       const dealii::ArrayView<dealii::Point<dim>>       &unit_points) const override;
 
+    // Tensors of all kinds are transformed alike, by the mapping of the present cell.
+
     void
     transform(const dealii::ArrayView<const dealii::Tensor<1, dim>> &input,
-              dealii::MappingKind                                    kind,
+              const dealii::MappingKind                              kind,
               const InternalData                                    &internal,
-              const dealii::ArrayView<dealii::Tensor<1, dim>>       &output) const override;
+              const dealii::ArrayView<dealii::Tensor<1, dim>>       &output) const override
+    {
+      transform_by_cell(input, kind, internal, output);
+    }
 
     void
     transform(const dealii::ArrayView<const dealii::DerivativeForm<1, dim, dim>> &input,
-              dealii::MappingKind                                                 kind,
+              const dealii::MappingKind                                           kind,
               const InternalData                                                 &internal,
-              const dealii::ArrayView<dealii::Tensor<2, dim>> &output) const override;
+              const dealii::ArrayView<dealii::Tensor<2, dim>> &output) const override
+    {
+      transform_by_cell(input, kind, internal, output);
+    }
 
     void
     transform(const dealii::ArrayView<const dealii::Tensor<2, dim>> &input,
-              dealii::MappingKind                                    kind,
+              const dealii::MappingKind                              kind,
               const InternalData                                    &internal,
-              const dealii::ArrayView<dealii::Tensor<2, dim>>       &output) const override;
+              const dealii::ArrayView<dealii::Tensor<2, dim>>       &output) const override
+    {
+      transform_by_cell(input, kind, internal, output);
+    }
 
     void
     transform(const dealii::ArrayView<const dealii::DerivativeForm<2, dim, dim>> &input,
-              dealii::MappingKind                                                 kind,
+              const dealii::MappingKind                                           kind,
               const InternalData                                                 &internal,
-              const dealii::ArrayView<dealii::Tensor<3, dim>> &output) const override;
+              const dealii::ArrayView<dealii::Tensor<3, dim>> &output) const override
+    {
+      transform_by_cell(input, kind, internal, output);
+    }
 
     void
     transform(const dealii::ArrayView<const dealii::Tensor<3, dim>> &input,
-              dealii::MappingKind                                    kind,
+              const dealii::MappingKind                              kind,
               const InternalData                                    &internal,
-              const dealii::ArrayView<dealii::Tensor<3, dim>>       &output) const override;
+              const dealii::ArrayView<dealii::Tensor<3, dim>>       &output) const override
+    {
+      transform_by_cell(input, kind, internal, output);
+    }
 
   protected:
     std::unique_ptr<InternalData>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/cell_mapping.h"
 
+#include "geometry/manifolds.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>
@@ -138,7 +139,7 @@ namespace Signorini
     std::string first;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (first.empty() && cell->is_locally_owned() && cell->reference_cell().is_simplex() &&
-          this->simplices->is_inverted(cell))
+          is_inverted_simplex(this->simplices->compute_mapping_support_points(cell)))
         {
           std::ostringstream place;
           place << cell->center();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/cell_rule.h"
 #include "mesh/any_cell_mapping.h"
 
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/manifold.h>
 
-#include <algorithm>
+#include <limits>
 
 namespace Signorini
 {
@@ -52,25 +51,6 @@ namespace Signorini
             line->get_manifold().get_intermediate_point(line->vertex(0), line->vertex(1), 0.5));
       }
     return points;
-  }
-
-
-
-  template <int dim>
-  bool
-  SimplexMapping<dim>::is_inverted(const typename Triangulation<dim>::cell_iterator &cell) const
-  {
-    const std::vector<Point<dim>> points  = compute_mapping_support_points(cell);
-    std::vector<Point<dim>>       samples = cell_rule<dim>(cell->reference_cell(), 4).get_points();
-    samples.insert(samples.end(),
-                   this->fe->get_unit_support_points().begin(),
-                   this->fe->get_unit_support_points().end());
-    return std::any_of(samples.begin(), samples.end(), [&](const Point<dim> &sample) {
-      Tensor<2, dim> slope;
-      for (unsigned int i = 0; i < points.size(); ++i)
-        slope += outer_product(points[i] - points[0], this->fe->shape_grad(i, sample));
-      return !(determinant(slope) > 0); // also NaN
-    });
   }
 
 

@@ -2,6 +2,7 @@
 #include "mesh/transformed_manifold.h"
 
 #include "geometry/cell_size.h"
+#include "mesh_import/cells.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -145,13 +146,6 @@ namespace Signorini
       }
 
     private:
-      static std::vector<unsigned int>
-      sorted(std::vector<unsigned int> vertices)
-      {
-        std::sort(vertices.begin(), vertices.end());
-        return vertices;
-      }
-
       std::vector<CellData<structdim>>   &objects;
       std::set<std::vector<unsigned int>> known;
     };
@@ -169,19 +163,11 @@ namespace Signorini
       Completion<1>       lines(mesh.faces);
       for (const auto &cell : mesh.cells)
         {
-          const auto reference = ReferenceCell::n_vertices_to_type(dim, cell.vertices.size());
-          for (const unsigned int f : reference.face_indices())
-            {
-              std::vector<unsigned int> vertices;
-              for (const unsigned int v : reference.face_reference_cell(f).vertex_indices())
-                vertices.push_back(cell.vertices[reference.face_to_cell_vertices(f, v, 1)]);
-              faces.add(vertices);
-            }
-          for (unsigned int l = 0; dim == 3 && l < reference.n_lines(); ++l)
-            {
-              const auto ends = ends_of_line(reference, l);
-              lines.add({cell.vertices[ends[0]], cell.vertices[ends[1]]});
-            }
+          for (const unsigned int f : reference_cell_of(cell).face_indices())
+            faces.add(face_nodes(cell, f));
+          if (dim == 3)
+            for (const auto &[a, b] : lines_of(cell))
+              lines.add({a, b});
         }
     }
 

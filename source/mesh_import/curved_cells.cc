@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/cell_rule.h"
 #include "geometry/manifolds.h"
 #include "mesh_import/cells.h"
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/import_steps.h"
 #include <signorini/parameters/raw.h>
-
-#include <deal.II/fe/fe_simplex_p.h>
 
 #include <algorithm>
 
@@ -30,6 +27,19 @@ namespace Signorini
 
 
 
+    /// @return the error of an element that is inverted.
+    /// @param place its first corner
+    template <int dim>
+    SceneError
+    inverted(const MeshFile::Element &element, const Point<dim> &place)
+    {
+      return SceneError("has element " + std::to_string(element.number) + " at " + text_of(place) +
+                        ", which is inverted by its mid-side nodes; improve the mesh there, or set "
+                        "Mid-side nodes = no");
+    }
+
+
+
     /// Give a face or line a manifold id unless it has one.
     template <typename Object>
     void
@@ -44,33 +54,6 @@ namespace Signorini
 
   namespace
   {
-    /// Throw SceneError if a simplex of second order is inverted somewhere: at its nodes or between
-    /// them.
-    template <int dim>
-    void
-    check_invertible(const MeshFile::Element &element, const std::vector<Point<dim>> &nodes)
-    {
-      static const FE_SimplexP<dim> shapes(2);
-      const Quadrature<dim>        &samples = cell_rule<dim>(shapes.reference_cell(), 4);
-      std::vector<Point<dim>>       places  = samples.get_points();
-      places.insert(places.end(),
-                    shapes.get_unit_support_points().begin(),
-                    shapes.get_unit_support_points().end());
-      for (const Point<dim> &place : places)
-        {
-          Tensor<2, dim> slope;
-          for (unsigned int i = 0; i < nodes.size(); ++i)
-            slope += outer_product(nodes[i] - nodes[0], shapes.shape_grad(i, place));
-          if (!(determinant(slope) > 0))
-            throw SceneError("has element " + std::to_string(element.number) + " at " +
-                             text_of(nodes[0]) +
-                             ", which is inverted by its mid-side nodes; improve the mesh there, "
-                             "or set Mid-side nodes = no");
-        }
-    }
-
-
-
     /// Give the lines of a simplex of second order that are not straight and evenly divided
     /// manifolds through their nodes in the middle.
     /// @param next the next manifold id
@@ -120,8 +103,8 @@ namespace Signorini
           triangulation.set_manifold(next, ParabolicLine<dim>(bend));
           line->set_manifold_id(next++);
         }
-      if (is_curved)
-        check_invertible(element, nodes);
+      if (is_curved && is_inverted_simplex(nodes))
+        throw inverted(element, nodes[0]);
       return next;
     }
   } // namespace
@@ -152,10 +135,7 @@ namespace Signorini
         if (map.is_multilinear())
           continue;
         if (!map.is_invertible())
-          throw SceneError("has element " + std::to_string(element.number) + " at " +
-                           text_of(map.value(Point<dim>())) +
-                           ", which is inverted by its mid-side nodes; improve the mesh there, or "
-                           "set Mid-side nodes = no");
+          throw inverted(element, map.value(Point<dim>()));
         const types::manifold_id id = first + n++;
         triangulation.set_manifold(id, QuadraticManifold<dim>(map));
         cell->set_manifold_id(id);

@@ -80,9 +80,8 @@ namespace Signorini
     void
     check_simplices(const Scene<dim> &scene)
     {
-      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      for (const Body<dim> &body : scene.bodies)
         {
-          const Body<dim> &body = scene.bodies[b];
           if (!body.mesh.generator->has_simplices())
             continue;
           const std::string place = "Bodies/" + body.name + "/Cells = as in file",
@@ -92,10 +91,6 @@ namespace Signorini
               place + ": triangles are not refined, but " +
               (scene.goals.has_targets() ? "Accuracy/Target error" : "Accuracy/Refinement cycles") +
               " is set" + cure);
-          if (const unsigned int degree = Decisions<dim>(scene).degrees[b]; degree > 2)
-            throw SceneError(place + ": Degree = " + std::to_string(degree) +
-                             " is not available on triangles; set Degree = 1 or 2, or set Cells = "
-                             "quadrilaterals");
           for (const Material *material : body.materials())
             if (material->constitutive_law && material->constitutive_law->n_internal() > 0)
               throw SceneError(place + ": Law = " + material->law +

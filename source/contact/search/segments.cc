@@ -143,8 +143,12 @@ namespace Signorini
       return polygon;
     }
 
+    /// Points with weights [length^(dim-1)] in the plane of a facet.
+    template <int n>
+    using FlatPoints = std::vector<std::pair<Point<n>, double>>;
+
     /// Quadrature points of the common part of two facets in the line.
-    std::vector<std::pair<Point<1>, double>>
+    FlatPoints<1>
     common_points(const Flat<1> &a,
                   const Flat<1> &b,
                   const unsigned int /*n_facets*/,
@@ -156,7 +160,7 @@ namespace Signorini
                    upper = std::min(std::max(a[0][0], a[1][0]), std::max(b[0][0], b[1][0]));
       if (lower >= upper)
         return {};
-      std::vector<std::pair<Point<1>, double>> result;
+      FlatPoints<1> result;
       for (unsigned int q = 0; q < rule.size(); ++q)
         result.emplace_back(Point<1>(lower + rule.point(q)[0] * (upper - lower)),
                             rule.weight(q) * (upper - lower));
@@ -193,19 +197,11 @@ namespace Signorini
       return cross(x[1] - x[0], x[2] - x[0]);
     }
 
-    /// Points with weights [length^(dim-1)] in the plane of a facet.
-    template <int n>
-    using FlatPoints = std::vector<std::pair<Point<n>, double>>;
-
-    /// The point of a simplex with given reference coordinates.
-    template <int n>
-    Point<n>
-    in_simplex(const std::array<Point<n>, n + 1> &x, const Point<n> &s)
+    /// The point of a triangle with given reference coordinates.
+    Point<2>
+    in_triangle(const std::array<Point<2>, 3> &x, const Point<2> &s)
     {
-      Point<n> y = x[0];
-      for (unsigned int d = 0; d < n; ++d)
-        y += s[d] * (x[d + 1] - x[0]);
-      return y;
+      return x[0] + s[0] * (x[1] - x[0]) + s[1] * (x[2] - x[0]);
     }
 
     /// Three points of a convex polygon with equal weights that have its area, centre and second
@@ -285,7 +281,7 @@ namespace Signorini
       FlatPoints<2> result;
       for (const auto &triangle : fan_of(p))
         for (unsigned int q = 0; q < rule.size(); ++q)
-          result.emplace_back(in_simplex<2>(triangle, rule.point(q)),
+          result.emplace_back(in_triangle(triangle, rule.point(q)),
                               rule.weight(q) * volume(triangle));
       return result;
     }
@@ -294,9 +290,9 @@ namespace Signorini
     template <int n>
     struct Piece
     {
-      std::vector<std::pair<Point<n>, double>> points; ///< with lengths; 2D: a point with 1
-      Tensor<1, n>                             outward;
-      unsigned int                             side;
+      FlatPoints<n> points; ///< with lengths; 2D: a point with 1
+      Tensor<1, n>  outward;
+      unsigned int  side;
     };
 
     /// The pieces of the sides of the second facet that lie in the first one, with quadrature

@@ -265,10 +265,10 @@ namespace Signorini
   FileSelection
   FileMesh<dim>::divide(MeshFile &all, std::vector<std::string> &notes) const
   {
-    FileSelection result = selection;
-    recognise_collapsed_cells(all, cells_of_part(all, dim, selection.part));
-    const bool keeps_triangles =
-      cells_as_in_file && are_triangles(all, cells_of_part(all, dim, selection.part), dim);
+    FileSelection                   result = selection;
+    const std::vector<unsigned int> cells  = cells_of_part(all, dim, selection.part);
+    recognise_collapsed_cells(all, cells);
+    const bool keeps_triangles = cells_as_in_file && are_triangles(all, cells, dim);
     if (!keeps_triangles && !ChosenCells(all, dim, selection.part).any)
       return result;
     if (selection.coinciding_nodes == CoincidingPoints::merge)
@@ -277,7 +277,7 @@ namespace Signorini
         result.coinciding_nodes = CoincidingPoints::refuse;
         result.node_distance    = 0;
       }
-    append(keeps_triangles ? check_triangles(all, cells_of_part(all, dim, selection.part)) :
+    append(keeps_triangles ? check_triangles(all, cells) :
                              divide_cells(all, dim, selection.part, mid_side_nodes),
            notes);
     return result;
