@@ -111,6 +111,35 @@ namespace Signorini
       }
     };
 
+    /// The linear functions of the corners of a part of a face, and their derivatives, at a point
+    /// of a square, which is mapped to triangles so that its upper side becomes the last corner.
+    struct PartFunctions
+    {
+      std::array<double, 4>                value{};
+      std::array<std::array<double, 4>, 2> slope{};
+
+      PartFunctions(const unsigned int n_corners, const double s, const double t)
+      {
+        if (n_corners == 2)
+          {
+            value    = {{1 - s, s}};
+            slope[0] = {{-1, 1}};
+          }
+        else if (n_corners == 3)
+          {
+            value    = {{(1 - s) * (1 - t), s * (1 - t), t}};
+            slope[0] = {{t - 1, 1 - t, 0}};
+            slope[1] = {{s - 1, -s, 1}};
+          }
+        else
+          {
+            value    = {{(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}};
+            slope[0] = {{t - 1, 1 - t, -t, t}};
+            slope[1] = {{s - 1, -s, 1 - s, s}};
+          }
+      }
+    };
+
     /// Determines the contact zone of a pair from nodal pressures, on the parts of slave faces
     /// between neighbouring nodes (2nd degree: halves or quarters of the face). The square of the
     /// pressure is interpolated multilinearly on each part, with negative values at open nodes that
@@ -146,7 +175,7 @@ namespace Signorini
         for_each_part(surface.slave_faces, [&](const Part<dim> &nodes, const SlaveFace<dim> &face) {
           std::array<double, n> values;
           unsigned int          n_active = 0;
-          for (unsigned int c = 0; c < n; ++c)
+          for (unsigned int c = 0; c < nodes.size(); ++c)
             {
               const auto node = face.nodes[nodes[c]];
               n_active += is_active(node);
@@ -155,13 +184,13 @@ namespace Signorini
           if (n_active == 0)
             return;
           const double share = shares[&face - surface.slave_faces.data()];
-          add_part(nodes, face, values, n_active == n, share, result);
+          add_part(nodes, face, values, n_active == nodes.size(), share, result);
           // Parts inside of the zone contribute all their nodes to its extent; parts at its edge
           // also count as edge, with their whole area.
-          if (n_active == n && !is_part(face))
+          if (n_active == nodes.size() && !is_part(face))
             for (const unsigned int node : nodes)
               result.extend(face.positions[node]);
-          if (n_active == n)
+          if (n_active == nodes.size())
             return;
           Moments<dim>          whole;
           std::array<double, n> ones;
@@ -225,12 +254,12 @@ namespace Signorini
               return;
           std::array<double, n>         values;
           std::array<Tensor<1, dim>, n> positions;
-          for (unsigned int c = 0; c < n; ++c)
+          for (unsigned int c = 0; c < nodes.size(); ++c)
             {
               values[c]    = squares(face.nodes[nodes[c]]);
               positions[c] = face.positions[nodes[c]];
             }
-          const Tensor<1, dim> slope = slope_of_part<dim>(positions, values);
+          const Tensor<1, dim> slope = slope_of_part<dim>(nodes.size(), positions, values);
           for (const unsigned int i : nodes)
             {
               for (unsigned int d = 0; d < dim; ++d)
@@ -314,22 +343,17 @@ namespace Signorini
         for (unsigned int b = 0; b < (dim == 3 ? m : 1); ++b)
           for (unsigned int a = 0; a < m; ++a)
             {
-              const std::array<double, 2>   at = {{place(a), place(b)}};
-              std::array<double, n>         shape;
+              const PartFunctions           at(nodes.size(), place(a), place(b));
               double                        value = 0;
               Point<dim>                    x;
               std::array<Tensor<1, dim>, 2> tangents;
-              for (unsigned int c = 0; c < n; ++c)
+              for (unsigned int c = 0; c < nodes.size(); ++c)
                 {
-                  const double f = c % 2 == 1 ? at[0] : 1 - at[0], g = dim == 2   ? 1. :
-                                                                       c / 2 == 1 ? at[1] :
-                                                                                    1 - at[1];
-                  shape[c] = f * g;
-                  value += shape[c] * values[c];
                   const Tensor<1, dim> position(face.positions[nodes[c]]);
-                  x += shape[c] * position;
-                  tangents[0] += (c % 2 == 1 ? g : -g) * position;
-                  tangents[1] += (c / 2 == 1 ? f : -f) * position;
+                  value += at.value[c] * values[c];
+                  x += at.value[c] * position;
+                  for (unsigned int d = 0; d < 2; ++d)
+                    tangents[d] += at.slope[d][c] * position;
                 }
               if (value <= 0)
                 continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/recovery_steps.h"
-#include "geometry/lagrange.h"
+#include "geometry/face_functions.h"
 
 #include <cmath>
 
@@ -9,10 +9,10 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  FaceVertices<dim>::Functions::Functions(const Point<dim - 1> &xi)
+  FaceVertices<dim>::Functions::Functions(const ReferenceCell &shape, const Point<dim - 1> &xi)
   {
-    const LagrangePolynomials<dim - 1> functions(1, xi);
-    for (unsigned int c = 0; c < n; ++c)
+    const FaceFunctions<dim> functions(shape, 1, xi);
+    for (unsigned int c = 0; c < functions.size(); ++c)
       {
         value[c] = functions.value(c);
         slope[c] = functions.gradient(c);
@@ -33,7 +33,7 @@ namespace Signorini
     LA::Vector number = elasticity.zero_vector();
     for (const SlaveFace<dim> &face : faces)
       for (unsigned int c = 0; c < (face.degree > 0 ? n : 0); ++c)
-        number(face.nodes[node(c, face.degree)]) += 1;
+        number(face.nodes[node(c, face)]) += 1;
     number.compress(VectorOperation::add);
     std::vector<types::global_dof_index> own;
     for (const auto i : number.locally_owned_elements())
@@ -58,7 +58,7 @@ namespace Signorini
     for (unsigned int f = 0; f < my_vertices.size(); ++f)
       for (unsigned int c = 0; c < (faces[f].degree > 0 ? n : 0); ++c)
         {
-          my_vertices[f][c] = std::lround(numbers(faces[f].nodes[node(c, faces[f].degree)]));
+          my_vertices[f][c] = std::lround(numbers(faces[f].nodes[node(c, faces[f])]));
           if (!owned.is_element(my_vertices[f][c]))
             others.push_back(my_vertices[f][c]);
         }

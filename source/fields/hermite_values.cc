@@ -31,7 +31,7 @@ namespace Signorini
     // change of slope times the length), then the centre.
     std::vector<double> values(face.nodes.size());
     for (unsigned int c = 0; c < FaceVertices<dim>::n; ++c)
-      values[FaceVertices<dim>::node(c, k)] = q(vertices[c]);
+      values[FaceVertices<dim>::node(c, face)] = q(vertices[c]);
     const auto middle = [&](const unsigned int a, const unsigned int b, const unsigned int m) {
       double               bend = 0;
       const Tensor<1, dim> way  = face.positions[b] - face.positions[a];

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/nodal_fields.h"
 
-#include "geometry/lagrange.h"
+#include "geometry/face_functions.h"
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -91,23 +92,21 @@ namespace Signorini
 
 
 
-  // Distances are counted in steps of the lattice of nodes.
+  // Distances are counted in steps of the lattice of nodes, up to rounding.
   template <int dim>
   std::vector<unsigned int>
   nearest_free(const SlaveFace<dim> &face, const unsigned int dirichlet_node)
   {
-    const unsigned int        stride = face.degree + 1;
-    unsigned int              least  = numbers::invalid_unsigned_int;
+    const auto                lattice = face_lattice<dim>(face.reference_cell(), face.degree);
+    double                    least   = std::numeric_limits<double>::max();
     std::vector<unsigned int> result;
     for (unsigned int i = 0; i < face.nodes.size(); ++i)
       if (!face.without_pressure[i])
         {
-          const int a                 = int(i % stride) - int(dirichlet_node % stride),
-                    b                 = int(i / stride) - int(dirichlet_node / stride);
-          const unsigned int distance = a * a + b * b;
-          if (distance < least)
+          const double distance = lattice[i].distance_square(lattice[dirichlet_node]);
+          if (distance < least - 1e-10)
             result.clear();
-          if (distance <= least)
+          if (distance < least + 1e-10)
             result.push_back(i);
           least = std::min(least, distance);
         }
@@ -168,6 +167,31 @@ namespace Signorini
 
 
 
+  template <int dim>
+  void
+  fill_between(const Snapshot<dim> &s, const unsigned int pair, LA::Vector &field)
+  {
+    if (dim == 2 || !s.elasticity.mesh().has_simplices() || s.elasticity.degree() < 2)
+      return;
+    const LA::Vector now = s.elasticity.with_ghosts(field);
+    LA::Vector       sum = s.elasticity.zero_vector(), count = sum;
+    for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+      for (const NodeBetween &between : face.between)
+        {
+          const auto &[a, b] = between.ends;
+          sum(between.node) += (now(face.nodes[a]) + now(face.nodes[b])) / 2;
+          count(between.node) += 1;
+        }
+    for (LA::Vector *v : {&sum, &count})
+      v->compress(VectorOperation::add);
+    for (const auto i : s.elasticity.owned())
+      if (count(i) > 0)
+        field(i) = sum(i) / count(i);
+    field.compress(VectorOperation::insert);
+  }
+
+
+
   // Dirichlet nodes and hanging nodes are filled after the values of all ranks are known.
   template <int dim>
   LA::Vector
@@ -186,6 +210,7 @@ namespace Signorini
           },
           field);
       }
+    fill_between(snapshot, pair, field);
     snapshot.elasticity.hanging_nodes().distribute(field);
     return field;
   }
@@ -198,9 +223,9 @@ namespace Signorini
            const ContactPoint<dim>   &point,
            const LA::Vector          &field)
   {
-    const SlaveFace<dim>              &face = surface.slave_faces[point.face];
-    const LagrangePolynomials<dim - 1> shape(face.degree, point.xi);
-    double                             value = 0;
+    const SlaveFace<dim>    &face = surface.slave_faces[point.face];
+    const FaceFunctions<dim> shape(face.reference_cell(), face.degree, point.xi);
+    double                   value = 0;
     for (unsigned int i = 0; i < shape.size(); ++i)
       value += shape.value(i) * field(face.nodes[i]);
     return value;
@@ -237,6 +262,10 @@ namespace Signorini
                        unsigned int,
                        const PrescribedNodeValue<3> &,
                        LA::Vector &);
+  template void
+  fill_between(const Snapshot<2> &, unsigned int, LA::Vector &);
+  template void
+  fill_between(const Snapshot<3> &, unsigned int, LA::Vector &);
   template types::global_dof_index
   first_row(const Snapshot<2> &, unsigned int);
   template LA::Vector

@@ -49,6 +49,15 @@ namespace Signorini
                        const PrescribedNodeValue<dim> &value,
                        LA::Vector                     &field);
 
+  /// Set the values of nodes of degree 2 on triangles to the mean of the corners beside them, since
+  /// the pressure is of degree 1 there. Collective.
+  /// @param snapshot the solution
+  /// @param pair its index
+  /// @param field without ghost values, which is changed
+  template <int dim>
+  void
+  fill_between(const Snapshot<dim> &snapshot, unsigned int pair, LA::Vector &field);
+
   /// @return a quantity on the rows of the gap operator as a field on the slave surface of one
   /// pair: a vector of the layout of the displacement (without ghost values) that has the value of
   /// a node at the first degree of freedom of the node, with hanging nodes interpolated, and zero

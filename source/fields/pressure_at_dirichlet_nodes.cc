@@ -57,7 +57,7 @@ namespace Signorini
       }
 
     private:
-      static constexpr unsigned int n = std::tuple_size<Part<dim>>::value;
+      static constexpr unsigned int n = Part<dim>::static_capacity;
 
       /// @return some zero vectors.
       std::vector<LA::Vector>
@@ -113,7 +113,7 @@ namespace Signorini
         for_each_part(surface.slave_faces, [&](const Part<dim> &part, const SlaveFace<dim> &face) {
           std::array<double, n>         values;
           std::array<Tensor<1, dim>, n> positions;
-          for (unsigned int c = 0; c < n; ++c)
+          for (unsigned int c = 0; c < part.size(); ++c)
             {
               const auto node = face.nodes[part[c]];
               if (face.without_pressure[part[c]] || (is_positive && raw(node) <= 0) ||
@@ -122,7 +122,7 @@ namespace Signorini
               values[c]    = raw(node);
               positions[c] = center(node);
             }
-          const Tensor<1, dim> slope = slope_of_part<dim>(positions, values);
+          const Tensor<1, dim> slope = slope_of_part<dim>(part.size(), positions, values);
           for (const unsigned int i : part)
             {
               for (unsigned int d = 0; d < dim; ++d)

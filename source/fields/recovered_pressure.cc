@@ -4,7 +4,7 @@
 #include "fields/nodal_fields.h"
 #include "fields/recovery_steps.h"
 #include "fields/surface_gradient.h"
-#include "geometry/lagrange.h"
+#include "geometry/face_functions.h"
 
 #include <array>
 #include <cmath>
@@ -46,7 +46,7 @@ namespace Signorini
             const unsigned int    f       = point.face;
             const SlaveFace<dim> &face    = surface.slave_faces[f];
             const bool            is_open = is_at_edge(face);
-            const Functions       at(point.xi);
+            const Functions       at(face.reference_cell(), point.xi);
             add_to_matrices(point, at);
             for (unsigned int c = 0; c < n; ++c)
               {
@@ -189,11 +189,11 @@ namespace Signorini
         auto       row      = first_row(s, number_of_pair);
         for (const ContactPoint<dim> &point : surface.points)
           {
-            const SlaveFace<dim> &face    = surface.slave_faces[point.face];
-            const bool            is_dual = !point.interpolation.empty();
-            const Functions       at(point.xi);
-            const auto            shape = LagrangePolynomials<dim - 1>(face.degree, point.xi);
-            double                own   = 0;
+            const SlaveFace<dim>    &face    = surface.slave_faces[point.face];
+            const bool               is_dual = !point.interpolation.empty();
+            const Functions          at(face.reference_cell(), point.xi);
+            const FaceFunctions<dim> shape(face.reference_cell(), face.degree, point.xi);
+            double                   own = 0;
             if (!at_nodes)
               own = by_row(row++);
             else if (!is_dual)
@@ -204,7 +204,7 @@ namespace Signorini
                 double weighted = at.value[c] * own;
                 if (at_nodes && is_dual)
                   for (unsigned int i = 0; i < shape.size(); ++i)
-                    weighted += share(c, i, face.degree) * shape.value(i) * raw(face.nodes[i]);
+                    weighted += share(c, i, face) * shape.value(i) * raw(face.nodes[i]);
                 result(vertices[point.face][c]) += point.weight * weighted;
               }
           }
@@ -214,12 +214,10 @@ namespace Signorini
 
       /// @return the value of the linear function of corner c at node i.
       static double
-      share(const unsigned int c, const unsigned int i, const unsigned int degree)
+      share(const unsigned int c, const unsigned int i, const SlaveFace<dim> &face)
       {
-        Point<dim - 1> xi;
-        xi[dim - 2] = double(i / (degree + 1)) / degree;
-        xi[0]       = double(i % (degree + 1)) / degree;
-        return Functions(xi).value[c];
+        const auto shape = face.reference_cell();
+        return Functions(shape, face_lattice<dim>(shape, face.degree)[i]).value[c];
       }
 
       /// @return the means of the linear interpolant of a field. Collective.
@@ -399,6 +397,7 @@ namespace Signorini
                                 raw :
                                 Recovery<dim>(s, pair, values).run();
     extrapolate_to_dirichlet_nodes(s, pair, raw, is_positive, result);
+    fill_between(s, pair, result);
     to_present_areas(s, pair, result);
     return result;
   }

@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -19,7 +20,8 @@ namespace Signorini
   class FaceVertices
   {
   public:
-    /// Number of vertices of a face.
+    /// Largest number of vertices of a face. Of triangles the last vertex is listed twice, the
+    /// second time with the function zero.
     static constexpr unsigned int n = dim == 2 ? 2 : 4;
 
     using Field = dealii::LinearAlgebra::distributed::Vector<double>;
@@ -57,11 +59,13 @@ namespace Signorini
 
     /// @return the number of a vertex among the nodes of a face.
     /// @param vertex its number among the vertices
-    /// @param degree of the face
+    /// @param face the slave face; triangles are of degree 1
     static unsigned int
-    node(const unsigned int vertex, const unsigned int degree)
+    node(const unsigned int vertex, const SlaveFace<dim> &face)
     {
-      return degree * (vertex % 2) + (vertex / 2) * degree * (degree + 1);
+      const unsigned int k = face.degree;
+      return is_triangle(face.reference_cell()) ? std::min(vertex, 2u) :
+                                                  k * (vertex % 2) + (vertex / 2) * k * (k + 1);
     }
 
     /// @return the reference position of a vertex.
@@ -70,18 +74,19 @@ namespace Signorini
     static const dealii::Point<dim> &
     position(const SlaveFace<dim> &face, const unsigned int vertex)
     {
-      return face.positions[node(vertex, face.degree)];
+      return face.positions[node(vertex, face)];
     }
 
     /// Values and derivatives by the parameters of the linear functions of all vertices of a face,
     /// at one parameter.
     struct Functions
     {
-      std::array<double, n>                     value;
+      std::array<double, n>                     value{};
       std::array<dealii::Tensor<1, dim - 1>, n> slope;
 
-      /// @param xi parameter on the face
-      explicit Functions(const dealii::Point<dim - 1> &xi);
+      /// @param shape reference cell of the face
+      /// @param xi parameter on it
+      Functions(const dealii::ReferenceCell &shape, const dealii::Point<dim - 1> &xi);
     };
 
   private:

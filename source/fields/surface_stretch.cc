@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/recovery_steps.h"
-#include "geometry/lagrange.h"
+#include "geometry/face_functions.h"
 
 namespace Signorini
 {
@@ -18,8 +18,8 @@ namespace Signorini
     LA::Vector                 rest = s.elasticity.zero_vector(), now = rest;
     for (const ContactPoint<dim> &point : surface.points)
       {
-        const SlaveFace<dim>              &face = surface.slave_faces[point.face];
-        const LagrangePolynomials<dim - 1> shape(face.degree, point.xi);
+        const SlaveFace<dim>    &face = surface.slave_faces[point.face];
+        const FaceFunctions<dim> shape(face.reference_cell(), face.degree, point.xi);
         for (unsigned int i = 0; i < shape.size(); ++i)
           {
             // Shape functions of degree 2 change sign: absolute values keep the areas positive.

@@ -17,6 +17,10 @@ namespace Signorini
     {
       if (cell.is_hyper_cube())
         return QGauss<dim>(n);
+      // Beyond the tables, the rule of a square mapped to the triangle, with its Jacobian.
+      if constexpr (dim == 2)
+        if (constexpr unsigned int most = 7; n > most)
+          return QDuffy(n + 1, 1.);
       return QWitherdenVincentSimplex<dim>(n);
     }
   } // namespace

@@ -13,7 +13,7 @@ namespace Signorini
   /// Applications 69 (2015) 1232). All weights are positive. Rules are made at the first call and
   /// kept.
   /// @param cell the reference cell, a hypercube or a simplex
-  /// @param n at least 1; at most 5 for tetrahedra, 7 for triangles
+  /// @param n at least 1; at most 5 for tetrahedra
   template <int dim>
   const dealii::Quadrature<dim> &
   cell_rule(const dealii::ReferenceCell &cell, unsigned int n);

@@ -137,22 +137,99 @@ namespace Signorini
     return cell.barycenter<dim>() - middle_of_face;
   }
 
-  /// @return the parameters of (k+1)^(dim-1) equidistant points of a face, with the first
-  /// coordinate running fastest.
+  /// @return whether a face is a triangle.
+  /// @param shape its reference cell
+  inline bool
+  is_triangle(const dealii::ReferenceCell &shape)
+  {
+    return shape == dealii::ReferenceCells::Triangle;
+  }
+
+  /// @return the reference cell of the faces of a cell, which are all alike.
+  /// @param cell a hypercube or a simplex
+  inline dealii::ReferenceCell
+  shape_of_faces(const dealii::ReferenceCell &cell)
+  {
+    return cell.face_reference_cell(0);
+  }
+
+  /// @return the parameters of the two ends of a side of a face in space. Sides are numbered as
+  /// the faces of its reference cell: on quadrilaterals side 2 d + (0 or 1) is that where the
+  /// parameter d is 0 or 1, on triangles sides follow the vertices around.
+  /// @param shape reference cell of the face
+  /// @param side its number
+  template <int dim>
+  std::array<dealii::Point<dim - 1>, 2>
+  ends_of_side(const dealii::ReferenceCell &shape, const unsigned int side)
+  {
+    const auto end = [&](const unsigned int i) {
+      return shape.vertex<dim - 1>(shape.face_to_cell_vertices(side, i, 1));
+    };
+    return {{end(0), end(1)}};
+  }
+
+  /// Call visit(i, j) for the numbers along the parameters of all nodes of a lattice, see
+  /// face_lattice(); j = 0 on lines.
+  template <typename Visit>
+  void
+  for_each_lattice_node(const dealii::ReferenceCell &shape,
+                        const unsigned int           k,
+                        const Visit                 &visit)
+  {
+    for (unsigned int j = 0; j <= (shape.get_dimension() == 2 ? k : 0); ++j)
+      for (unsigned int i = 0; i <= (is_triangle(shape) ? k - j : k); ++i)
+        visit(i, j);
+  }
+
+  /// @return the parameters of the equidistant nodes of a face of degree k, with the first
+  /// coordinate running fastest: (k+1)^(dim-1), of a triangle (k+1)(k+2)/2.
+  /// @param shape reference cell of the face
   /// @param k degree, at least 1
   template <int dim>
   std::vector<dealii::Point<dim - 1>>
-  face_lattice(const unsigned int k)
+  face_lattice(const dealii::ReferenceCell &shape, const unsigned int k)
   {
     std::vector<dealii::Point<dim - 1>> points;
-    for (unsigned int j = 0; j <= (dim == 3 ? k : 0); ++j)
-      for (unsigned int i = 0; i <= k; ++i)
-        {
-          dealii::Point<dim - 1> xi;
-          xi[dim - 2] = double(j) / k;
-          xi[0]       = double(i) / k;
-          points.push_back(xi);
-        }
+    for_each_lattice_node(shape, k, [&](const unsigned int i, const unsigned int j) {
+      dealii::Point<dim - 1> xi;
+      xi[dim - 2] = double(j) / k;
+      xi[0]       = double(i) / k;
+      points.push_back(xi);
+    });
     return points;
+  }
+
+  /// @return the values at every n-th node of a lattice, in each direction.
+  /// @param shape reference cell of the face
+  /// @param values at the nodes of a lattice
+  /// @param k its degree, a multiple of n; with n = k the values at the corners are left
+  /// @param n step
+  template <typename Value>
+  std::vector<Value>
+  every_nth_of_lattice(const dealii::ReferenceCell &shape,
+                       const std::vector<Value>    &values,
+                       const unsigned int           k,
+                       const unsigned int           n)
+  {
+    std::vector<Value> result;
+    auto               value = values.begin();
+    for_each_lattice_node(shape, k, [&](const unsigned int i, const unsigned int j) {
+      if (i % n == 0 && j % n == 0)
+        result.push_back(*value);
+      ++value;
+    });
+    return result;
+  }
+
+  /// @return the reference cell of a face by the number of nodes of its lattice.
+  /// @param dim that of the cell
+  /// @param k degree
+  /// @param n_nodes (k+1)^(dim-1), or (k+1)(k+2)/2 for a triangle
+  inline dealii::ReferenceCell
+  shape_of_lattice(const unsigned int dim, const unsigned int k, const unsigned int n_nodes)
+  {
+    return dim == 2                     ? dealii::ReferenceCells::Line :
+           n_nodes == (k + 1) * (k + 1) ? dealii::ReferenceCells::Quadrilateral :
+                                          dealii::ReferenceCells::Triangle;
   }
 } // namespace Signorini

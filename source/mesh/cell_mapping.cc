@@ -130,7 +130,7 @@ namespace Signorini
 
 
 
-  // Edges of triangles are curved by files, circles of the scene, and transformations; what inverts
+  // Edges of simplices are curved by files, circles of the scene, and transformations; what inverts
   // a cell is known only here, where all of them have acted.
   template <int dim>
   void
@@ -149,7 +149,7 @@ namespace Signorini
          Utilities::MPI::all_gather(triangulation.get_communicator(), first))
       if (!of_rank.empty())
         throw SceneError(
-          "Mesh: curved edges invert the triangle about (" + of_rank +
+          "Mesh: curved edges invert the cell about (" + of_rank +
           "): they are too long for its height; use smaller elements there, straight "
           "edges (Curved boundaries = none, Mid-side nodes = no), or another "
           "Transformation");

@@ -223,10 +223,10 @@ namespace Signorini
   {
     const std::string body = names[std::find(is_of_simplices.begin(), is_of_simplices.end(), true) -
                                    is_of_simplices.begin()],
-                      cure =
-                        ", but the cells of body '" + body +
-                        "' are triangles, and no body beside such a one is refined: set Bodies/" +
-                        body + (dim == 2 ? "/Cells = quadrilaterals" : "/Cells = hexahedra");
+                      cure = ", but the cells of body '" + body + "' are " +
+                             (dim == 2 ? "triangles" : "tetrahedra") +
+                             ", and no body beside such a one is refined: set Bodies/" + body +
+                             (dim == 2 ? "/Cells = quadrilaterals" : "/Cells = hexahedra");
     if (settings.distribution == Distribution::p4est)
       throw SceneError("Mesh/Distribution = p4est" + cure);
     if (settings.refinements > 0 || settings.contact_refinements > 0 ||

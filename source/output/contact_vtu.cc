@@ -16,9 +16,9 @@ namespace Signorini
 
   namespace
   {
-    /// @return for each face of the reference cell the points at which it is drawn: (n+1)^(dim-1),
-    /// the first parameter of the face running fastest. The faces of hypercubes, then those of
-    /// simplices.
+    /// @return for each face of the reference cell the points at which it is drawn, the first
+    /// parameter of the face running fastest; of triangles corners and middles of sides in the
+    /// order of VTK. The faces of hypercubes, then those of simplices.
     template <int dim>
     hp::QCollection<dim>
     points_of_faces(const unsigned int n_subdivisions)
@@ -29,7 +29,11 @@ namespace Signorini
         for (const unsigned int face : cell.face_indices())
           {
             std::vector<Point<dim>> points;
-            for (const Point<dim - 1> &xi : face_lattice<dim>(n_subdivisions))
+            const ReferenceCell     shape   = shape_of_faces(cell);
+            auto                    lattice = face_lattice<dim>(shape, n_subdivisions);
+            if (is_triangle(shape) && n_subdivisions == 2)
+              lattice = {lattice[0], lattice[2], lattice[5], lattice[1], lattice[4], lattice[3]};
+            for (const Point<dim - 1> &xi : lattice)
               points.push_back(unit_point<dim>(cell, face, xi));
             result.push_back(Quadrature<dim>(points));
           }
@@ -177,7 +181,10 @@ namespace Signorini
       add_pair(const Snapshot<dim> &snapshot, unsigned int pair);
       /// Add one face, with which `values` have been reinitialised.
       void
-      add_patch(const FEValues<dim> &values, const Fields<dim> &fields, unsigned int pair);
+      add_patch(const FEValues<dim> &values,
+                const ReferenceCell &shape,
+                const Fields<dim>   &fields,
+                unsigned int         pair);
       /// Evaluate the fields at the points of one face.
       void
       set_fields(const FEValues<dim> &values,
@@ -225,7 +232,10 @@ namespace Signorini
                 const bool is_simplex = cell->reference_cell().is_simplex();
                 values_on_faces.reinit(cell,
                                        f + (is_simplex ? GeometryInfo<dim>::faces_per_cell : 0));
-                add_patch(values_on_faces.get_present_fe_values(), fields, pair);
+                add_patch(values_on_faces.get_present_fe_values(),
+                          shape_of_faces(cell->reference_cell()),
+                          fields,
+                          pair);
               }
     }
 
@@ -234,13 +244,15 @@ namespace Signorini
     template <int dim>
     void
     ContactFaces<dim>::add_patch(const FEValues<dim> &values,
+                                 const ReferenceCell &shape,
                                  const Fields<dim>   &fields,
                                  const unsigned int   number)
     {
+      // Triangles are not subdivided; with six points they are written as cells of second order.
       Patch patch;
       patch.patch_index          = patches.size();
-      patch.n_subdivisions       = n_subdivisions;
-      patch.reference_cell       = ReferenceCells::get_hypercube<dim - 1>();
+      patch.n_subdivisions       = is_triangle(shape) ? 1 : n_subdivisions;
+      patch.reference_cell       = shape;
       patch.points_are_available = true;
       patch.data.reinit(position() + dim, values.n_quadrature_points);
       set_fields(values, fields, patch.data);
@@ -250,9 +262,9 @@ namespace Signorini
           for (unsigned int d = 0; d < dim; ++d)
             patch.data[position() + d][q] = values.quadrature_point(q)[d];
         }
-      for (unsigned int v = 0; v < GeometryInfo<dim - 1>::vertices_per_cell; ++v)
-        patch.vertices[v] =
-          values.quadrature_point(n_subdivisions * (v % 2 + (v / 2) * (n_subdivisions + 1)));
+      for (const unsigned int v : shape.vertex_indices())
+        patch.vertices[v] = values.quadrature_point(
+          is_triangle(shape) ? v : n_subdivisions * (v % 2 + (v / 2) * (n_subdivisions + 1)));
       patches.push_back(std::move(patch));
     }
 

@@ -2,10 +2,9 @@
 #include "output/preflight.h"
 
 #include "contact/search/face_patches.h"
+#include "geometry/cell_rule.h"
 #include "matrix_free/make_stiffness.h"
 #include <signorini/parameters/raw.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +72,7 @@ namespace Signorini
       void
       add(const unsigned int i, const FacePatch<dim> &patch)
       {
-        const QGauss<dim - 1> rule(2);
+        const Quadrature<dim - 1> &rule = cell_rule<dim - 1>(patch.reference_cell(), 2);
         ++faces[i];
         for (unsigned int q = 0; q < rule.size(); ++q)
           {

@@ -39,7 +39,8 @@ namespace Signorini
       if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; set Law = neo-Hooke";
       if (body.mesh.generator->has_simplices())
-        return "bodies of triangles have no such form; set Cells = quadrilaterals";
+        return dim == 2 ? "bodies of triangles have no such form; set Cells = quadrilaterals" :
+                          "bodies of tetrahedra have no such form; set Cells = hexahedra";
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
         return "errors of the volumetric stress are not estimated; remove Accuracy/Quantity and Target error";
       return {};

@@ -75,7 +75,7 @@ namespace Signorini
                          "', too much for double precision; model a rigid body as an obstacle");
     }
 
-    /// Throws SceneError for what bodies of triangles cannot do.
+    /// Throws SceneError for what bodies of triangles or tetrahedra cannot do.
     template <int dim>
     void
     check_simplices(const Scene<dim> &scene)
@@ -85,16 +85,18 @@ namespace Signorini
           if (!body.mesh.generator->has_simplices())
             continue;
           const std::string place = "Bodies/" + body.name + "/Cells = as in file",
-                            cure  = "; set Cells = quadrilaterals";
+                            cells = dim == 2 ? "triangles" : "tetrahedra",
+                            cure =
+                              dim == 2 ? "; set Cells = quadrilaterals" : "; set Cells = hexahedra";
           if (scene.maximum_cycles() > 0)
             throw SceneError(
-              place + ": triangles are not refined, but " +
+              place + ": " + cells + " are not refined, but " +
               (scene.goals.has_targets() ? "Accuracy/Target error" : "Accuracy/Refinement cycles") +
               " is set" + cure);
           for (const Material *material : body.materials())
             if (material->constitutive_law && material->constitutive_law->n_internal() > 0)
               throw SceneError(place + ": Law = " + material->law +
-                               " has internal variables, which are not available on triangles" +
+                               " has internal variables, which are not available on " + cells +
                                cure);
         }
     }

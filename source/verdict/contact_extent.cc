@@ -2,9 +2,8 @@
 #include "contact/search/boundary_faces.h"
 #include "contact/search/search.h"
 #include "fields/point_values.h"
+#include "geometry/cell_rule.h"
 #include "verdict/pair_checks.h"
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -164,7 +163,6 @@ namespace Signorini
     const BoundaryFaces<dim> faces(configuration, surface);
     const RigidPose<dim>     pose   = configuration.pose(obstacle);
     const double             length = s.elasticity.rotation_length_scale();
-    const QGauss<dim - 1>    starts(2);
     ObstacleTip              tip;
     for (unsigned int i = 0; i < faces.patches.size(); ++i)
       {
@@ -172,7 +170,7 @@ namespace Signorini
         if (!obstacle.shape->has_closest_point(faces.rest[i].center(), length) ||
             configuration.closest(obstacle, pose, face.center()).gap > face.diameter())
           continue;
-        for (const Point<dim - 1> &xi : starts.get_points())
+        for (const Point<dim - 1> &xi : cell_rule<dim - 1>(face.reference_cell(), 2).get_points())
           if (const double depth = -gap_along_descent(configuration, obstacle, pose, face, xi);
               depth > tip.depth)
             tip = {depth, face.diameter() / std::sqrt(dim - 1.)};

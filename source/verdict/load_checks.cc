@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/boundary_faces.h"
+#include "geometry/cell_rule.h"
 #include "verdict/checks.h"
 #include <signorini/solid/model.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <array>
@@ -81,7 +80,7 @@ namespace Signorini
                 for (unsigned int k = 0; k < 2; ++k)
                   sums[k].add(load,
                               faces.patches[i],
-                              QGauss<dim - 1>(usual + 3 * k),
+                              cell_rule<dim - 1>(faces.patches[i].reference_cell(), usual + 3 * k),
                               now.elasticity.model(),
                               now.time);
               }

@@ -5,9 +5,8 @@
 #include "contact/search/search.h"
 #include "contact/search/search_radius.h"
 #include "contact/search/self_contact.h"
+#include "geometry/cell_rule.h"
 #include "verdict/undetected_penetration.h"
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +95,6 @@ namespace Signorini
     {
       // Sample points are the 2-point Gauss points of each face, so that points on common edges
       // of two faces are avoided.
-      const dealii::QGauss<dim - 1> inner(2);
       for (unsigned int i = 0; i < faces.faces.size(); ++i)
         {
           const auto &[cell, face] = faces.faces[i];
@@ -107,7 +105,8 @@ namespace Signorini
           deepest = std::max(deepest, faces.depth(i));
           if (near && !near->may_penetrate(cell, face))
             continue;
-          for (const dealii::Point<dim - 1> &xi : inner.get_points())
+          for (const dealii::Point<dim - 1> &xi :
+               cell_rule<dim - 1>(patch.reference_cell(), 2).get_points())
             {
               places.push_back(patch.position(xi));
               normals.push_back(patch.normal(xi));

@@ -70,17 +70,24 @@ def ring(body, order, factor):
     return Grid(through, around, at, order, ("inner", "outer", "symmetry_y", "symmetry_x"))
 
 
-def with_triangles(test, scene, order, factor=1, bodies=None, extra=""):
+def grid_of(keys, order, factor):
+    """The grid that replaces the cells of a body, from its keys; None: they stay."""
+    if "Cells around" in keys:
+        return ring(keys, order, factor)
+    return box(keys, order, factor) if "set Corners" in keys else None
+
+
+def with_triangles(test, scene, order, factor=1, bodies=None, extra="", grid_of=grid_of):
     """The scene with files of triangles, beside the runs. bodies: their names; none: all."""
     text, stem = scene.read_text(), f"{scene.stem}-{order}-{factor:g}-{'-'.join(bodies or ['all'])}"
 
     def replaced(match):
         body, keys = match[1], match[0]
-        if not re.search("set (Corners|Cells around)", keys) or bodies and body not in bodies:
+        grid = None if bodies and body not in bodies else grid_of(keys, order, factor)
+        if grid is None:
             return keys
-        grid = (ring if "Cells around" in keys else box)(keys, order, factor)
         test.write(f"{stem}-{body}.inp", grid.text())
-        kept = re.sub(r" *set (Mesh|Corners|Subdivisions|Inner radius|Outer radius|Part|Cells \w+) .*\n", "", keys)
+        kept = re.sub(r" *set (Mesh|Corners|Subdivisions|Inner radius|Outer radius|Height|Part|Cells \w+) .*\n", "", keys)
         return kept.replace(f"subsection {body}\n", f"subsection {body}\n    set Mesh = file\n"
                             f"    set File = {stem}-{body}.inp\n    set Cells = as in file\n", 1)
     text = re.sub(r"subsection (\w+)\n(?: *set .*\n)+", replaced, text)
@@ -198,7 +205,7 @@ def refusals(test):
     for scene, sets, words in (
             (scene, ["Bodies/lower/File=doubled.inp"], "where a neighbour has another one"),
             (scene, ["Bodies/lower/File=flat.inp"], "folded or flat"),
-            (scene, ["Bodies/lower/Transformation=x + 0.5*sin(0.7*pi*x); y"], "curved edges invert the triangle"),
+            (scene, ["Bodies/lower/Transformation=x + 0.5*sin(0.7*pi*x); y"], "curved edges invert the cell"),
             (scene, ["Mesh/Refinements=1"], "no body beside such a one is refined"),
             (scene, ["Accuracy/Refinement cycles=1"], "triangles are not refined"),
             (scene, ["Bodies/lower/Poisson's ratio=0.5"], "triangles have no such form")):

@@ -53,8 +53,9 @@ namespace Signorini
           areas[point.face] += point.weight;
         for (const ContactPoint<dim> &point : surface.points)
           {
-            const SlaveFace<dim> &face  = surface.slave_faces[point.face];
-            const double          share = face.covered * point.weight / areas[point.face];
+            const SlaveFace<dim> &face = surface.slave_faces[point.face];
+            const double          share =
+              face.covered * point.weight / areas[point.face] * face.reference_cell().volume();
             faces[{face.cell, face.face}].push_back(
               {point.xi, std::pow(share, 1. / (dim - 1)) / 2, i});
           }

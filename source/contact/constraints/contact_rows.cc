@@ -212,8 +212,8 @@ namespace Signorini
             if (face.degree == 0)
               continue;
             result.push_back({face_id(p, face), {}});
-            std::vector<SurfacePlace> &places  = result.back().places;
-            const auto                 lattice = face_lattice<dim>(face.degree);
+            std::vector<SurfacePlace> &places = result.back().places;
+            const auto lattice = face_lattice<dim>(face.reference_cell(), face.degree);
             for (unsigned int k = 0; k < face.nodes.size(); ++k)
               {
                 // A hanging node has the value that its masters give it. Where one of them has no

@@ -196,24 +196,34 @@ namespace Signorini
                                const double                  area,
                                const Basis                   basis)
   {
-    const double covered = std::accumulate(weights.begin(), weights.end(), 0.);
-    const bool   is_part = covered < 0.99 * area;
-    Numbers      own(nodes.size());
+    // The functions of nodes without a share are added to those of the nodes around from the start.
+    Numbers with_share;
+    Nodes   carriers;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (nodes[i].share > 0)
+        {
+          with_share.push_back(i);
+          carriers.push_back(nodes[i]);
+        }
+    const Eigen::MatrixXd lumped  = absorbed_nodes(nodes, with_share);
+    const double          covered = std::accumulate(weights.begin(), weights.end(), 0.);
+    const bool            is_part = covered < 0.99 * area;
+    Numbers               own(carriers.size());
     std::iota(own.begin(), own.end(), 0);
-    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Identity(nodes.size(), nodes.size());
+    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Identity(own.size(), own.size());
     // Integrals are needed for the dual basis, and to select nodes on partly covered faces.
     if (is_part || basis == Basis::dual)
       {
-        const Integrals functions = integrals_of(shapes, weights, nodes);
+        const Integrals functions = integrals_of(shapes, weights, nodes).combined(lumped);
         Integrals       taken     = functions;
         // Nodes with too little covered area are absorbed by their neighbours.
         if (is_part)
           {
-            Eigen::VectorXd whole(nodes.size());
-            for (unsigned int i = 0; i < nodes.size(); ++i)
-              whole[i] = nodes[i].share * area;
-            own          = multiplier_carriers(nodes, whole, functions);
-            coefficients = absorbed_nodes(nodes, own);
+            Eigen::VectorXd whole(carriers.size());
+            for (unsigned int i = 0; i < carriers.size(); ++i)
+              whole[i] = carriers[i].share * area;
+            own          = multiplier_carriers(carriers, whole, functions);
+            coefficients = absorbed_nodes(carriers, own);
             taken        = functions.combined(coefficients);
           }
         // Dual functions: C = diag(L D) (L M L^T)^-1 L (3.8), (3.10). Where the mass matrix is
@@ -226,22 +236,23 @@ namespace Signorini
     // dual, are added to those of the nearest free nodes.
     Numbers free;
     for (const unsigned int i : own)
-      if (!nodes[i].prescribed)
+      if (!carriers[i].prescribed)
         free.push_back(i);
     for (unsigned int k = 0; k < own.size(); ++k)
       {
-        if (!nodes[own[k]].prescribed)
+        if (!carriers[own[k]].prescribed)
           continue;
-        const Numbers takers = nearest(nodes, free, nodes[own[k]]);
+        const Numbers takers = nearest(carriers, free, carriers[own[k]]);
         for (unsigned int j = 0; j < own.size(); ++j)
           if (std::find(takers.begin(), takers.end(), own[j]) != takers.end())
             coefficients.row(j) += coefficients.row(k) / takers.size();
       }
+    coefficients = (coefficients * lumped).eval();
     for (unsigned int k = 0; k < own.size(); ++k)
       {
-        if (nodes[own[k]].prescribed)
+        if (carriers[own[k]].prescribed)
           continue;
-        functions.emplace_back(nodes[own[k]].index, SparseRow());
+        functions.emplace_back(carriers[own[k]].index, SparseRow());
         for (unsigned int j = 0; j < nodes.size(); ++j)
           if (const double c = coefficients(k, j); c != 0)
             functions.back().second.emplace_back(nodes[j].index, c);

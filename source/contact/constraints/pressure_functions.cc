@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/pressure_functions.h"
 
+#include "geometry/cell_rule.h"
 #include "mesh/face_nodes.h"
 #include "solid/cell_nodes.h"
 #include <signorini/contact/methods/method.h>
 #include <signorini/solid/model.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,14 +43,27 @@ namespace Signorini
 
   namespace
   {
-    /// The integral of the shape function of a node at x over [0, 1]: the weights of the
-    /// trapezoidal rule (degree 1) and of Simpson's rule (degree 2).
+    /// The integral of the function of a node over a face of a given shape, over that of the face.
+    /// Lines and squares: the weights of the trapezoidal rule (degree 1) and of Simpson's rule
+    /// (degree 2). Functions of degree 2 of the corners of a triangle have no integral, so that
+    /// they could carry no pressure: there the pressure is of degree 1, and the nodes between the
+    /// corners have the share zero (doc/theory, 3.4).
+    template <int n>
     double
-    mean_of_function(const unsigned int degree, const double x)
+    share_of_node(const ReferenceCell &shape, const unsigned int degree, const Point<n> &xi)
     {
-      if (degree == 1)
-        return 1. / 2;
-      return std::abs(x - 0.5) < 0.25 ? 2. / 3 : 1. / 6;
+      const auto is_between = [&](const double x) { return std::abs(x - 0.5) < 0.25; };
+      double     share      = 1;
+      if (is_triangle(shape))
+        {
+          for (unsigned int d = 0; d < n; ++d)
+            if (is_between(xi[d]))
+              return 0;
+          return 1. / 3;
+        }
+      for (unsigned int d = 0; d < n; ++d)
+        share *= degree == 1 ? 1. / 2 : is_between(xi[d]) ? 2. / 3 : 1. / 6;
+      return share;
     }
 
     /// The reference area of a face, with the circumference of axisymmetric models.
@@ -61,8 +73,8 @@ namespace Signorini
     {
       // The area is compared with that of the points with a projection, to see how much of the face
       // is covered; two points in each direction are enough for that.
-      const QGauss<dim - 1> rule(2);
-      double                area = 0;
+      const Quadrature<dim - 1> &rule = cell_rule<dim - 1>(patch.reference_cell(), 2);
+      double                     area = 0;
       for (unsigned int q = 0; q < rule.size(); ++q)
         area += rule.weight(q) * patch.jacobian(rule.point(q)) *
                 measure(model, patch.position(rule.point(q)));
@@ -132,8 +144,8 @@ namespace Signorini
       std::map<types::global_dof_index, SparseRow> masters;
     };
 
-    /// The nodes of a face, with their parameters, their share of the area of a parallelogram face,
-    /// and whether they carry pressure.
+    /// The nodes of a face, with their parameters, their share of the area of a triangle or
+    /// parallelogram, and whether they carry pressure.
     template <int dim>
     std::vector<FaceNode>
     face_nodes(const Elasticity<dim>   &elasticity,
@@ -152,10 +164,8 @@ namespace Signorini
                                               face,
                                               fe.base_element(0).unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
-            {
-              node.xi[d] = xi[d];
-              node.share *= mean_of_function(fe.degree, xi[d]);
-            }
+            node.xi[d] = xi[d];
+          node.share = share_of_node<dim - 1>(shape_of_faces(fe.reference_cell()), fe.degree, xi);
           node.prescribed = !carries_pressure(elasticity, node.index, fe.degree, patch, xi);
           nodes.push_back(node);
         }
@@ -204,13 +214,14 @@ namespace Signorini
           }
         const FacePatch<dim> &patch = slave.patches[points[first].face];
         auto                  nodes = face_nodes(elasticity, cell, face, patch);
-        const bool            all_prescribed =
-          std::all_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.prescribed; });
+        const bool all_prescribed   = std::all_of(nodes.begin(), nodes.end(), [](const auto &node) {
+          return node.prescribed || node.share == 0;
+        });
         if (all_prescribed && !must_balance)
           for (FaceNode &node : nodes)
             node.prescribed = false;
         const auto has_its_own = [&](const FaceNode &node) {
-          return !node.prescribed && elsewhere.count(node.index) == 0;
+          return !node.prescribed && node.share > 0 && elsewhere.count(node.index) == 0;
         };
         if (std::any_of(nodes.begin(), nodes.end(), has_its_own))
           for (FaceNode &node : nodes)

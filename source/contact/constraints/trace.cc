@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/trace.h"
 
-#include "geometry/face_parameter.h"
+#include "geometry/face_functions.h"
 #include "mesh/face_nodes.h"
 #include "solid/cell_nodes.h"
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,29 +132,27 @@ namespace Signorini
 
 
 
-  // The one-dimensional polynomials of an element, and for each of its faces the nodes with their
-  // numbers along the parameters.
+  // The nodes of elements of degree 1 and 2 are equidistant. The number of a node in the lattice is
+  // found by its position, so that it does not depend on the numbering of deal.II.
   template <int dim>
   typename Trace<dim>::Element
   Trace<dim>::element_of(const FiniteElement<dim> &fe)
   {
-    const FiniteElement<dim> &scalar = fe.base_element(0);
-    // The support points of the element along a line are those of Gauss-Lobatto quadrature; each
-    // node of a face has one of them in each parameter.
-    const std::vector<Point<1>> places = QGaussLobatto<1>(scalar.degree + 1).get_points();
-    Element                     result{Polynomials::generate_complete_Lagrange_basis(places),
+    const FiniteElement<dim> &scalar  = fe.base_element(0);
+    const ReferenceCell       shape   = shape_of_faces(fe.reference_cell());
+    const auto                lattice = face_lattice<dim>(shape, scalar.degree);
+    Element                   result{scalar.degree,
+                   shape,
                    std::vector<std::vector<Node>>(fe.reference_cell().n_faces())};
     for (unsigned int face = 0; face < result.nodes.size(); ++face)
       for (const unsigned int i : nodes_of_face(scalar, face))
         {
-          Node       node{fe.component_to_system_index(0, i), {}};
+          Node       node{fe.component_to_system_index(0, i), 0};
           const auto xi =
             face_parameter<dim>(scalar.reference_cell(), face, scalar.unit_support_point(i));
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            // The number of the node along the parameter is found by its position, so that it does
-            // not depend on the numbering of deal.II.
-            while (std::abs(places[node.place[d]][0] - xi[d]) > 1e-10)
-              ++node.place[d];
+          while (node.place < lattice.size() && lattice[node.place].distance(xi) > 1e-10)
+            ++node.place;
+          AssertThrow(node.place < lattice.size(), ExcInternalError());
           result.nodes[face].push_back(node);
         }
     return result;
@@ -186,28 +182,16 @@ namespace Signorini
   FaceShapeFunctions<dim>
   Trace<dim>::unresolved(const Parameter &xi) const
   {
-    // Tensor product: values and first derivatives of the polynomials of a line at each parameter,
-    // then their products.
-    const unsigned int  n = element->line.size();
-    std::vector<double> lines(2 * n * (dim - 1));
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      for (unsigned int i = 0; i < n; ++i)
-        element->line[i].value(xi[d], 1, &lines[2 * (d * n + i)]);
-
-    FaceShapeFunctions<dim> result;
+    const FaceFunctions<dim> values(element->shape, element->degree, xi);
+    FaceShapeFunctions<dim>  result;
     result.reserve(nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const auto            &place = element->nodes[face][k].place;
-        NodeShapeFunction<dim> one{nodes[k], 1., {}};
-        one.slopes.fill(1.);
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          {
-            const double *of_line = &lines[2 * (d * n + place[d])];
-            one.value *= of_line[0];
-            for (unsigned int a = 0; a < dim - 1; ++a)
-              one.slopes[a] *= of_line[a == d];
-          }
+        const unsigned int       place = element->nodes[face][k].place;
+        NodeShapeFunction<dim>   one{nodes[k], values.value(place), {}};
+        const Tensor<1, dim - 1> slope = values.gradient(place);
+        for (unsigned int a = 0; a < dim - 1; ++a)
+          one.slopes[a] = slope[a];
         result.push_back(one);
       }
     return result;

@@ -4,9 +4,6 @@
 #include "contact/search/master_projection.h"
 #include "solid/elasticity.h"
 
-#include <deal.II/base/polynomial.h>
-
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -50,22 +47,22 @@ namespace Signorini
     unresolved_shape(const Parameter &xi) const;
 
   private:
-    /// A node of a face: which of the cell's degrees of freedom is its first one, and its numbers
-    /// along the parameters of the face.
+    /// A node of a face: which of the cell's degrees of freedom is its first one, and its number
+    /// in the lattice of nodes of the face.
     struct Node
     {
-      unsigned int                      dof;
-      std::array<unsigned int, dim - 1> place;
+      unsigned int dof, place;
     };
 
     /// Data of a finite element that all its cells share.
     struct Element
     {
-      std::vector<dealii::Polynomials::Polynomial<double>> line;  ///< the shape functions in 1D
-      std::vector<std::vector<Node>>                       nodes; ///< of each face of a cell
+      unsigned int                   degree;
+      dealii::ReferenceCell          shape; ///< of the faces
+      std::vector<std::vector<Node>> nodes; ///< of each face of a cell
     };
 
-    /// The data of an element: its one-dimensional polynomials, and the nodes of its faces.
+    /// The data of an element: its degree, and the nodes of its faces.
     static Element
     element_of(const dealii::FiniteElement<dim> &fe);
 

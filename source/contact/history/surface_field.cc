@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/history/surface_field.h"
 
-#include "geometry/lagrange.h"
+#include "geometry/face_functions.h"
 #include "mesh/cells_by_name.h"
-
-#include <deal.II/base/geometry_info.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -77,23 +76,29 @@ namespace Signorini
     /// Parameters that are computed in different ways agree up to this.
     constexpr double rounding = 1e-9;
 
-    /// The degree of the polynomial through values at the nodes of face_lattice(); 0 if they are at
-    /// other points.
-    unsigned int
-    degree_of_lattice(const Values &values, const unsigned int dim)
+    /// The face whose face_lattice() has the points of the values, and its degree; 0 if they are
+    /// at other points.
+    std::pair<ReferenceCell, unsigned int>
+    lattice_of(const Values &values, const unsigned int dim)
     {
-      const unsigned int n =
-        dim == 2 ? values.size() : std::lround(std::sqrt(double(values.size())));
-      if (n < 2 || n > max_degree + 1 || (dim == 3 && n * n != values.size()))
-        return 0;
-      for (unsigned int i = 0; i < values.size(); ++i)
-        {
-          const SurfacePoint node = {
-            {double(i % n) / (n - 1), dim == 3 ? double(i / n) / (n - 1) : 0.}};
-          if (distance_square(values[i].place, node) > rounding * rounding)
-            return 0;
-        }
-      return n - 1;
+      const auto fits = [&](const ReferenceCell &shape, const unsigned int k) {
+        bool         result = true;
+        unsigned int n      = 0;
+        for_each_lattice_node(shape, k, [&](const unsigned int i, const unsigned int j) {
+          const SurfacePoint node = {{double(i) / k, double(j) / k}};
+          result                  = result && n < values.size() &&
+                   distance_square(values[n].place, node) <= rounding * rounding;
+          ++n;
+        });
+        return result && n == values.size();
+      };
+      for (unsigned int k = 1; k <= max_degree; ++k)
+        if (fits(dim == 2 ? ReferenceCells::Line : ReferenceCells::Quadrilateral, k))
+          return {dim == 2 ? ReferenceCells::Line : ReferenceCells::Quadrilateral, k};
+      for (unsigned int k = 1; dim == 3 && k <= 2; ++k)
+        if (fits(ReferenceCells::Triangle, k))
+          return {ReferenceCells::Triangle, k};
+      return {ReferenceCells::Invalid, 0};
     }
 
     /// The k-th number of a point that is interpolated: the pressure, then the history.
@@ -106,16 +111,17 @@ namespace Signorini
     /// The polynomial through the values of a lattice, at a point.
     template <int dim>
     double
-    polynomial(const Values       &values,
-               const unsigned int  degree,
-               const SurfacePoint &place,
-               const unsigned int  k)
+    polynomial(const Values        &values,
+               const ReferenceCell &shape,
+               const unsigned int   degree,
+               const SurfacePoint  &place,
+               const unsigned int   k)
     {
       Point<dim - 1> xi;
       for (unsigned int d = 0; d < dim - 1; ++d)
         xi[d] = place[d];
-      const LagrangePolynomials<dim - 1> functions(degree, xi);
-      double                             sum = 0;
+      const FaceFunctions<dim> functions(shape, degree, xi);
+      double                   sum = 0;
       for (unsigned int i = 0; i < values.size(); ++i)
         sum += entry(values[i], k) * functions.value(i);
       return sum;
@@ -156,11 +162,12 @@ namespace Signorini
       result.place = place;
       if (values.empty())
         return result;
-      const unsigned int degree = degree_of_lattice(values, dim);
-      const auto         at     = [&](const unsigned int k) {
+      const auto lattice = lattice_of(values, dim);
+      const auto at      = [&](const unsigned int k) {
+        const auto &[shape, degree] = lattice;
         return degree == 0 ? plane(values, place, k) :
-                           dim == 2    ? polynomial<2>(values, degree, place, k) :
-                                         polynomial<3>(values, degree, place, k);
+                    dim == 2    ? polynomial<2>(values, shape, degree, place, k) :
+                                  polynomial<3>(values, shape, degree, place, k);
       };
       result.pressure = at(0);
       for (unsigned int k = 0; k < values.front().history.size(); ++k)

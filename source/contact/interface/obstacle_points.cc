@@ -50,13 +50,14 @@ namespace Signorini
     const RigidPose<dim> pose  = configuration.pose(obstacle);
     const RigidPose<dim> pose_at_start =
       configuration.start() ? configuration.start()->pose(obstacle) : pose;
-    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
+    const FaceRules<dim>          rules(integration);
     std::vector<PairedPoint<dim>> points;
     for (unsigned int i = 0; i < slave.patches.size(); ++i)
-      for (unsigned int q = 0; q < rule.size(); ++q)
+      for (unsigned int q = 0; q < rules.of(slave.patches[i]).size(); ++q)
         {
-          const Point<dim - 1> &xi   = rule.point(q);
-          const FacePatch<dim> &face = slave.patches[i];
+          const FacePatch<dim>      &face = slave.patches[i];
+          const Quadrature<dim - 1> &rule = rules.of(face);
+          const Point<dim - 1>      &xi   = rule.point(q);
           const auto &[point_on_obstacle, place] =
             configuration.partner(obstacle, pose, face, slave.rest[i], xi);
           // A point takes part if it is near enough and faces the obstacle.

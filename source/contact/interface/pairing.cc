@@ -2,6 +2,7 @@
 #include "contact/interface/pairing.h"
 
 #include "contact/search/self_contact.h"
+#include "geometry/cell_rule.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -26,13 +27,16 @@ namespace Signorini
     std::vector<FixedIntegrationPoint<dim>>
     make_integration_point(const std::vector<FacePatch<dim>> &slave,
                            const std::vector<unsigned int>   &faces,
-                           const Quadrature<dim - 1>         &rule)
+                           const FaceRules<dim>              &rules)
     {
       std::vector<FixedIntegrationPoint<dim>> points;
       for (const unsigned int i : faces)
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          points.push_back(
-            {i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q)), {}});
+        {
+          const Quadrature<dim - 1> &rule = rules.of(slave[i]);
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            points.push_back(
+              {i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q)), {}});
+        }
       return points;
     }
 
@@ -145,7 +149,7 @@ namespace Signorini
     }
 
     /// The areas of the faces [length^(dim-1)], integrated with two Gauss points more than the
-    /// degree of the geometry in each direction.
+    /// largest degree of the geometry in each direction.
     template <int dim>
     std::vector<double>
     areas_of(const std::vector<FacePatch<dim>> &faces)
@@ -153,10 +157,10 @@ namespace Signorini
       unsigned int degree = 1;
       for (const FacePatch<dim> &face : faces)
         degree = std::max(degree, face.get_degree());
-      const QGauss<dim - 1> rule(degree + 2);
-      std::vector<double>   areas;
+      std::vector<double> areas;
       for (const FacePatch<dim> &face : faces)
         {
+          const Quadrature<dim - 1> &rule = cell_rule<dim - 1>(face.reference_cell(), degree + 2);
           areas.push_back(0);
           for (unsigned int q = 0; q < rule.size(); ++q)
             areas.back() += rule.weight(q) * face.jacobian(rule.point(q));
@@ -231,14 +235,31 @@ namespace Signorini
 
 
 
-  // Gauss-Lobatto points are the nodes of a face; other rules use Gauss points.
+  // Gauss-Lobatto points are the nodes of a face; other rules use Gauss points. On triangles of
+  // degree 2 they are the nodes and the middle, with the weights of the rule of degree 3.
   template <int dim>
-  Quadrature<dim - 1>
-  face_rule(const Integration &integration)
+  FaceRules<dim>::FaceRules(const Integration &integration)
   {
-    if (integration.rule == Rule::nodes)
-      return QGaussLobatto<dim - 1>(integration.n_points);
-    return QGauss<dim - 1>(integration.n_points);
+    const unsigned int n = integration.n_points;
+    if (integration.rule != Rule::nodes)
+      {
+        of_hypercubes = cell_rule<dim - 1>(ReferenceCells::get_hypercube<dim - 1>(), n);
+        of_triangles  = cell_rule<dim - 1>(ReferenceCells::get_simplex<dim - 1>(), n);
+        return;
+      }
+    of_hypercubes = QGaussLobatto<dim - 1>(n);
+    if constexpr (dim == 3)
+      {
+        std::vector<Point<2>> points = face_lattice<3>(ReferenceCells::Triangle, n - 1);
+        std::vector<double>   weights(points.size(), 1. / 6);
+        if (n > 2)
+          {
+            weights = {{1. / 40, 1. / 15, 1. / 40, 1. / 15, 1. / 15, 1. / 40}};
+            points.push_back(ReferenceCells::Triangle.barycenter<2>());
+            weights.push_back(9. / 40);
+          }
+        of_triangles = {points, weights};
+      }
   }
 
 
@@ -259,7 +280,7 @@ namespace Signorini
   {
     Pairing<dim>              pairing;
     auto                     &points = pairing.points;
-    const Quadrature<dim - 1> rule   = face_rule<dim>(integration);
+    const FaceRules<dim>      rules(integration);
     std::vector<unsigned int> faces(slave.patches.size());
     std::iota(faces.begin(), faces.end(), 0);
     // Segments first; their result leaves in `faces` only those to be paired by projection of Gauss
@@ -272,7 +293,7 @@ namespace Signorini
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
       for (auto &point : pair_by_projection(slave,
-                                            make_integration_point(slave.patches, faces, rule),
+                                            make_integration_point(slave.patches, faces, rules),
                                             master,
                                             limit,
                                             comm,
@@ -362,10 +383,8 @@ namespace Signorini
   keep_near_faces(const std::vector<FacePatch<2>> &, double, std::vector<PairedPoint<2>> &);
   template void
   keep_near_faces(const std::vector<FacePatch<3>> &, double, std::vector<PairedPoint<3>> &);
-  template Quadrature<1>
-  face_rule<2>(const Integration &);
-  template Quadrature<2>
-  face_rule<3>(const Integration &);
+  template struct FaceRules<2>;
+  template struct FaceRules<3>;
   template Pairing<2>
   pair_points<2>(const SlaveSide<2> &,
                  const MasterFaces<2> &,

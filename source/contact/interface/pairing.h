@@ -10,10 +10,21 @@
 
 namespace Signorini
 {
-  /// The quadrature rule on a whole slave face, for integration without segments.
+  /// The quadrature rules on whole slave faces, for integration without segments.
   template <int dim>
-  dealii::Quadrature<dim - 1>
-  face_rule(const Integration &integration);
+  struct FaceRules
+  {
+    explicit FaceRules(const Integration &integration);
+
+    /// The rule of a face.
+    const dealii::Quadrature<dim - 1> &
+    of(const FacePatch<dim> &face) const
+    {
+      return is_triangle(face.reference_cell()) ? of_triangles : of_hypercubes;
+    }
+
+    dealii::Quadrature<dim - 1> of_hypercubes, of_triangles;
+  };
 
   /// A point of a slave face and its projection on the master.
   template <int dim>

@@ -5,6 +5,8 @@
 #include "contact/search/local_faces.h"
 #include "contact/search/segments.h"
 #include "contact/search/self_contact.h"
+#include "geometry/cell_rule.h"
+#include "geometry/face_parameter.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -36,7 +38,7 @@ namespace Signorini
         if (n == 2)
           return Quadrature<2>({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
                                {1. / 6, 1. / 6, 1. / 6});
-      return QWitherdenVincentSimplex<dim - 1>(n);
+      return cell_rule<dim - 1>(ReferenceCells::get_simplex<dim - 1>(), n);
     }
 
     /// True if a face is far from a parallelogram: its bilinear term exceeds a fifth of its
@@ -46,16 +48,17 @@ namespace Signorini
     bool
     is_distorted(const FacePatch<dim> &face)
     {
-      if constexpr (dim == 2)
-        return false;
-      else
+      if constexpr (dim == 3)
         {
+          if (is_triangle(face.reference_cell()))
+            return false;
           // Of the kites in an equilateral triangle it is 0.5.
           constexpr double     most   = 0.2;
           const Tensor<1, dim> defect = (face.position({0, 0}) - face.position({1, 0})) +
                                         (face.position({1, 1}) - face.position({0, 1}));
           return defect.norm() > most * face.diameter();
         }
+      return false;
     }
 
     template <int dim>

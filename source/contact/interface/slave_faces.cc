@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/surface_steps.h"
-
-#include <deal.II/base/quadrature_lib.h>
+#include "geometry/cell_rule.h"
 
 #include <algorithm>
 
@@ -24,18 +23,34 @@ namespace Signorini
         {
           const auto &[cell, f] = slave.faces[point.face];
           trace.reinit(cell, f);
-          face.cell            = cell->id();
-          face.face            = f;
-          const unsigned int k = face.degree = cell->get_fe().degree;
-          for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+          face.cell                 = cell->id();
+          face.face                 = f;
+          const ReferenceCell shape = shape_of_faces(cell->reference_cell());
+          const unsigned int  k     = cell->get_fe().degree;
+          face.degree               = is_triangle(shape) ? 1 : k;
+          const auto node_at        = [&](const Point<dim - 1> &xi) {
+            // At a node of the face one shape function is one and the others zero: its index is
+            // that of the largest value.
+            const SparseRow values = trace.unresolved_shape(xi);
+            return std::max_element(values.begin(),
+                                    values.end(),
+                                    [](const auto &a, const auto &b) {
+                                      return a.second < b.second;
+                                    })
+              ->first;
+          };
+          if constexpr (dim == 3)
+            if (face.degree < k)
+              for (const unsigned int side : shape.face_indices())
+                {
+                  const auto ends = ends_of_side<dim>(shape, side);
+                  face.between.push_back({node_at(ends[0] + (ends[1] - ends[0]) / 2),
+                                          {{shape.face_to_cell_vertices(side, 0, 1),
+                                            shape.face_to_cell_vertices(side, 1, 1)}}});
+                }
+          for (const Point<dim - 1> &xi : face_lattice<dim>(shape, face.degree))
             {
-              // At a node of the face one shape function is one and the others zero: its index is
-              // that of the largest value.
-              const SparseRow shape = trace.unresolved_shape(xi);
-              face.nodes.push_back(
-                std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
-                  return a.second < b.second;
-                })->first);
+              face.nodes.push_back(node_at(xi));
               face.positions.push_back(
                 (elasticity.is_finite_strain() ? slave.patches : slave.rest)[point.face].position(
                   xi));
@@ -72,12 +87,14 @@ namespace Signorini
   full_face_shape_functions(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
   {
     // Gauss quadrature of the whole reference area of each face, which is exact for the products of
-    // shape functions on parallelograms.
+    // shape functions on triangles and parallelograms.
     std::vector<std::pair<SparseRow, double>> result;
     Trace<dim>                                trace(elasticity);
     for (unsigned int i = 0; i < slave.faces.size(); ++i)
       {
-        const QGauss<dim - 1> rule(slave.faces[i].first->get_fe().degree + 1);
+        const Quadrature<dim - 1> &rule =
+          cell_rule<dim - 1>(slave.rest[i].reference_cell(),
+                             slave.faces[i].first->get_fe().degree + 1);
         trace.reinit(slave.faces[i].first, slave.faces[i].second);
         for (unsigned int q = 0; q < rule.size(); ++q)
           result.emplace_back(trace.shape(rule.point(q)),

@@ -177,23 +177,40 @@ namespace Signorini
     return same(a.slave, b.slave) && same(a.master, b.master);
   }
 
-  /// The nodes of a slave face, in lexicographic order of the face parameters; hanging nodes are
-  /// listed themselves.
+  /// A node of a face of degree 2 between two nodes whose pressures determine the one there.
+  struct NodeBetween
+  {
+    dealii::types::global_dof_index node; ///< first degree of freedom
+    std::array<unsigned int, 2>     ends; ///< numbers among the nodes of the face
+  };
+
+  /// The nodes of a slave face that carry the pressure, in lexicographic order of the face
+  /// parameters; hanging nodes are listed themselves.
   template <int dim>
   struct SlaveFace
   {
-    dealii::CellId                               cell;
-    unsigned int                                 face   = 0; ///< of the cell
-    unsigned int                                 degree = 0; ///< 0: the face has no points
-    std::vector<dealii::types::global_dof_index> nodes;      ///< first degrees of freedom
+    dealii::CellId cell;
+    unsigned int   face = 0; ///< of the cell
+    /// Of the pressure: that of the element, or 1 on triangles; 0: the face has no points.
+    unsigned int                                 degree = 0;
+    std::vector<dealii::types::global_dof_index> nodes; ///< first degrees of freedom
     /// Positions of the nodes: reference at small strain, current at finite strain.
     std::vector<dealii::Point<dim>> positions;
     /// Flags of the nodes, in their order: nodes without a multiplier of their own on this face
     /// (see PressureBasis), and those among them that have none because the master covers too
     /// little of their area.
     std::vector<bool> without_pressure, under_covered;
+    /// The further nodes of triangles of degree 2.
+    std::vector<NodeBetween> between;
     /// Share of the face's area that has a projection on the master, in [0,1].
     double covered = 0;
+
+    /// The reference cell of the face.
+    dealii::ReferenceCell
+    reference_cell() const
+    {
+      return shape_of_lattice(dim, degree, nodes.size());
+    }
   };
 
   /// The discretised contact surface of one pair: the contact points of locally owned slave faces

@@ -105,15 +105,14 @@ namespace Signorini
   Tensor<1, dim>
   BoundaryFaces<dim>::mean_normal(const MPI_Comm comm) const
   {
-    Point<dim - 1> middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
     Tensor<1, dim> sum;
     double         area = 0;
     for (const FacePatch<dim> &face : rest)
       {
-        sum += face.jacobian(middle) * face.normal(middle);
-        area += face.jacobian(middle);
+        // The area of the parameters of a triangle is one half.
+        const double of_face = face.jacobian(face.middle()) * face.reference_cell().volume();
+        sum += of_face * face.normal(face.middle());
+        area += of_face;
       }
     area = Utilities::MPI::sum(area, comm);
     return area > 0 ? Utilities::MPI::sum(sum, comm) / area : sum;
@@ -164,7 +163,7 @@ namespace Signorini
       void
       add(const Cell &cell, const unsigned int face)
       {
-        for (unsigned int side = 0; side < 2 * (dim - 1); ++side)
+        for (unsigned int side = 0; side < n_sides(cell); ++side)
           for (const unsigned int i : with_parts(cell, face, side))
             ++count[i];
       }
@@ -179,6 +178,12 @@ namespace Signorini
         return false;
       }
 
+      static unsigned int
+      n_sides(const Cell &cell)
+      {
+        return dim == 2 ? 2 : shape_of_faces(cell->reference_cell()).n_faces();
+      }
+
     private:
       /// The keys of a side of a face, together with those of its halves, which finer neighbours
       /// have.
@@ -191,9 +196,10 @@ namespace Signorini
         for (unsigned int i = 0; i < ends.size(); ++i)
           {
             Point<dim - 1> xi;
-            xi[side / 2] = side % 2;
-            if (dim == 3)
-              xi[1 - side / 2] = i;
+            if constexpr (dim == 2)
+              xi[0] = side;
+            else
+              xi = ends_of_side<dim>(shape_of_faces(reference), side)[i];
             const Point<dim> x = unit_point<dim>(reference, face, xi);
             ends[i]            = 0;
             while (reference.template vertex<dim>(ends[i]).distance(x) > 1e-10)
@@ -242,8 +248,8 @@ namespace Signorini
     std::vector<SidesOfFace<dim>> result;
     for (const auto &[cell, face] : faces.faces)
       {
-        result.emplace_back();
-        for (unsigned int side = 0; side < result.back().size(); ++side)
+        result.push_back({});
+        for (unsigned int side = 0; side < SharedSides<dim>::n_sides(cell); ++side)
           result.back()[side] = sides.is_shared(cell, face, side);
       }
     return result;

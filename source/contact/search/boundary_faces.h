@@ -62,8 +62,7 @@ namespace Signorini
     BoundaryFaces() = default;
   };
 
-  /// Flags of the sides of a face, indexed by 2 d + (0 or 1) for the side where parameter d is 0 or
-  /// 1.
+  /// Flags of the sides of a face, see ends_of_side(); a triangle has the first three.
   template <int dim>
   using SidesOfFace = std::array<bool, 2 * (dim - 1)>;
 

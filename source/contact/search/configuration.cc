@@ -23,8 +23,9 @@ namespace Signorini
       for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
         if (!cell->is_artificial() && cell->at_boundary())
           for (const unsigned int f : cell->face_indices())
-            for (unsigned int v = 0; cell->face(f)->at_boundary() && v < (1u << (dim - 1)); ++v)
-              is_there[cell->face(f)->vertex_index(v)] = true;
+            if (cell->face(f)->at_boundary())
+              for (const unsigned int v : cell->face(f)->vertex_indices())
+                is_there[cell->face(f)->vertex_index(v)] = true;
       std::vector<CellIterator<dim>> result;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
@@ -156,7 +157,8 @@ namespace Signorini
     if (result.empty())
       {
         const FiniteElement<dim> &fe = my_elasticity.finite_elements()[element].base_element(0);
-        for (const Point<dim - 1> &xi : face_lattice<dim>(degree))
+        const ReferenceCell       shape_of_face = shape_of_faces(fe.reference_cell());
+        for (const Point<dim - 1> &xi : face_lattice<dim>(shape_of_face, degree))
           {
             result.emplace_back();
             const Point<dim> x = unit_point<dim>(fe.reference_cell(), face, xi);
@@ -196,7 +198,7 @@ namespace Signorini
     read_indices<dim>(cell, indices);
     std::vector<Point<dim>> nodes;
     auto                    node = shapes_at_nodes(cell->active_fe_index(), face, k).begin();
-    for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+    for (const Point<dim - 1> &xi : face_lattice<dim>(rest.reference_cell(), k))
       {
         // Origin and tangents of the face X_h of the shape functions in the reference
         // configuration, and of the displaced one x_h = X_h + u.

@@ -39,18 +39,6 @@ namespace Signorini
       return BoundingBox<dim>({low, high});
     }
 
-    /// The parameter of the middle of a face. FacePatch::center(), the mean of the nodes, is not on
-    /// the face where it is curved.
-    template <int dim>
-    Point<dim - 1>
-    middle()
-    {
-      Point<dim - 1> xi;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        xi[d] = 0.5;
-      return xi;
-    }
-
     /// The largest depth of the middles of slave faces inside of an obstacle, of those that face
     /// the obstacle's surface [length]. Local.
     template <int dim>
@@ -60,8 +48,9 @@ namespace Signorini
       double deepest = 0;
       for (const FacePatch<dim> &patch : slave)
         {
-          const ObstaclePoint<dim> point_on_obstacle = shape.closest(patch.position(middle<dim>()));
-          if (faces_each_other(patch.normal(middle<dim>()), point_on_obstacle.normal))
+          const ObstaclePoint<dim> point_on_obstacle =
+            shape.closest(patch.position(patch.middle()));
+          if (faces_each_other(patch.normal(patch.middle()), point_on_obstacle.normal))
             deepest = std::max(deepest, -point_on_obstacle.gap);
         }
       return deepest;
@@ -84,10 +73,10 @@ namespace Signorini
       for (const FacePatch<dim> &patch : slave)
         // The diagonal of the box bounds each distance inside of it, so that no projection is
         // missed.
-        if (const Point<dim> x = patch.position(middle<dim>()); box.point_inside(x))
+        if (const Point<dim> x = patch.position(patch.middle()); box.point_inside(x))
           {
             centers.push_back(x);
-            normals.push_back(patch.normal(middle<dim>()));
+            normals.push_back(patch.normal(patch.middle()));
           }
       const MasterFaces<dim> faces{master, [](auto, const auto &, auto &) {}};
       const double           diagonal =

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/descent.h"
 
+#include "geometry/face_parameter.h"
+
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace Signorini
 {
@@ -22,19 +27,55 @@ namespace Signorini
       bool                                convex;  // f itself is, as far as xi is free to move
     };
 
-    // Where a bound of xi is active, the curvature in that direction (and its coupling) has no
-    // effect on the minimum, which is on that side.
+    /// The domain of the parameters of a face, a convex polygon (2D: an interval), as the
+    /// inequalities normal . xi <= bound, one for each side.
+    template <int n>
+    struct Side
+    {
+      Tensor<1, n> normal;
+      double       bound;
+    };
+
+    const std::vector<Side<1>> &
+    sides_of(const ReferenceCell & /*line*/, const Point<1> &)
+    {
+      static const std::vector<Side<1>> line = {{Tensor<1, 1>({-1.}), 0.},
+                                                {Tensor<1, 1>({1.}), 1.}};
+      return line;
+    }
+
+    const std::vector<Side<2>> &
+    sides_of(const ReferenceCell &shape, const Point<2> &)
+    {
+      static const std::vector<Side<2>> square   = {{Tensor<1, 2>({-1., 0.}), 0.},
+                                                    {Tensor<1, 2>({1., 0.}), 1.},
+                                                    {Tensor<1, 2>({0., -1.}), 0.},
+                                                    {Tensor<1, 2>({0., 1.}), 1.}},
+                                        triangle = {{Tensor<1, 2>({-1., 0.}), 0.},
+                                                    {Tensor<1, 2>({0., -1.}), 0.},
+                                                    {Tensor<1, 2>({1., 1.}), 1.}};
+      return is_triangle(shape) ? triangle : square;
+    }
+
+    // Where a side of the domain is active, the curvature across it (and its coupling) has no
+    // effect on the minimum, which is on that side: there the Gauss-Newton matrix is taken.
     template <int n>
     Tensor<2, n>
-    without_constrained(Tensor<2, n>        hessian,
-                        const Tensor<2, n> &gauss_newton,
-                        const Tensor<1, n> &gradient,
-                        const Point<n>     &xi)
+    without_constrained(Tensor<2, n>                hessian,
+                        const Tensor<2, n>         &gauss_newton,
+                        const Tensor<1, n>         &gradient,
+                        const std::vector<Side<n>> &sides,
+                        const Point<n>             &xi)
     {
-      for (unsigned int i = 0; i < n; ++i)
-        if ((xi[i] == 0 && gradient[i] > 0) || (xi[i] == 1 && gradient[i] < 0))
-          for (unsigned int j = 0; j < n; ++j)
-            hessian[i][j] = hessian[j][i] = i == j ? gauss_newton[i][i] : 0;
+      for (const auto &[normal, bound] : sides)
+        if (normal * xi == bound && normal * gradient < 0)
+          {
+            // H = P H P + Q G Q with the projections P along the side and Q = 1 - P across it.
+            const double       across_across = normal * (gauss_newton * normal);
+            const Tensor<2, n> Q             = outer_product(normal, normal) / normal.norm_square(),
+                               P             = unit_symmetric_tensor<n>() - Q;
+            hessian = P * hessian * P + across_across / normal.norm_square() * Q;
+          }
       return hessian;
     }
 
@@ -60,68 +101,76 @@ namespace Signorini
             }
         }
       // On the concave side, beyond the centre of curvature, Newton would climb to a maximum.
-      hessian  = without_constrained(hessian, gauss_newton, m.gradient, xi);
+      hessian = without_constrained(
+        hessian, gauss_newton, m.gradient, sides_of(face.reference_cell(), xi), xi);
       m.convex = hessian[0][0] > 1e-10 * gauss_newton[0][0] &&
                  determinant(hessian) > 1e-10 * determinant(gauss_newton);
       m.hessian = m.convex ? hessian : gauss_newton;
       return m;
     }
 
-    // The minimiser s of the quadratic model g.s + s.H.s/2 between the bounds, the sides of the
-    // parameter square as seen from xi. It is found exactly, so that active bounds need no
-    // bookkeeping.
+    // The minimiser s of the quadratic model g.s + s.H.s/2 over the domain as seen from xi. It is
+    // found exactly, so that active bounds need no bookkeeping.
     Tensor<1, 1>
     constrained_minimiser(const Tensor<1, 1> &g,
                           const Tensor<2, 1> &H,
-                          const Tensor<1, 1> &lower,
-                          const Tensor<1, 1> &upper)
+                          const ReferenceCell & /*line*/,
+                          const Point<1> &xi)
     {
       Tensor<1, 1> s;
-      s[0] = std::clamp(-g[0] / H[0][0], lower[0], upper[0]);
+      s[0] = std::clamp(-g[0] / H[0][0], -xi[0], 1 - xi[0]);
       return s;
     }
 
     Tensor<1, 2>
-    constrained_minimiser(const Tensor<1, 2> &g,
-                          const Tensor<2, 2> &H,
-                          const Tensor<1, 2> &lower,
-                          const Tensor<1, 2> &upper)
+    constrained_minimiser(const Tensor<1, 2>  &g,
+                          const Tensor<2, 2>  &H,
+                          const ReferenceCell &shape,
+                          const Point<2>      &xi)
     {
       const Tensor<1, 2> newton = -1. * (invert(H) * g);
-      if (newton[0] >= lower[0] && newton[0] <= upper[0] && newton[1] >= lower[1] &&
-          newton[1] <= upper[1])
+      const auto        &sides  = sides_of(shape, xi);
+      if (std::all_of(sides.begin(), sides.end(), [&](const auto &side) {
+            return side.normal * newton <= side.bound - side.normal * xi;
+          }))
         return newton;
 
-      // A convex function whose minimum is outside takes its smallest value on one of the four
-      // sides.
+      // A convex function whose minimum is outside takes its smallest value on one of the sides.
       Tensor<1, 2> best;
       double       best_value = std::numeric_limits<double>::max();
-      for (unsigned int i = 0; i < 2; ++i)
-        for (const double bound : {lower[i], upper[i]})
-          {
-            const unsigned int j = 1 - i;
-            Tensor<1, 2>       s;
-            s[i] = bound;
-            s[j] = std::clamp(-(g[j] + H[j][i] * bound) / H[j][j], lower[j], upper[j]);
-            const double value = g * s + 0.5 * (s * (H * s));
-            if (value < best_value)
-              {
-                best_value = value;
-                best       = s;
-              }
-          }
+      for (unsigned int side = 0; side < shape.n_faces(); ++side)
+        {
+          const auto [from, to]  = ends_of_side<3>(shape, side);
+          const Tensor<1, 2> way = to - from, start = from - xi;
+          const double move    = std::clamp(-(way * (g + H * start)) / (way * (H * way)), 0., 1.);
+          const Tensor<1, 2> s = start + move * way;
+          const double       value = g * s + 0.5 * (s * (H * s));
+          if (value < best_value)
+            {
+              best_value = value;
+              best       = s;
+            }
+        }
       return best;
     }
 
-    // The parameter after a step, in the square also with rounding: bounds are compared exactly
+    // The parameter after a step, in the domain also with rounding: bounds are compared exactly
     // later.
     template <int n>
     Point<n>
-    moved(const Point<n> &xi, const Tensor<1, n> &step)
+    moved(const ReferenceCell &shape, const Point<n> &xi, const Tensor<1, n> &step)
     {
       Point<n> result;
       for (unsigned int d = 0; d < n; ++d)
-        result[d] = std::clamp(xi[d] + step[d], 0., 1.);
+        {
+          result[d] = std::clamp(xi[d] + step[d], 0., 1.);
+          // What is 1 up to rounding is 1: a step to a corner of the domain arrives there.
+          if (result[d] > 1 - 1e-15)
+            result[d] = 1;
+        }
+      if constexpr (n == 2)
+        if (is_triangle(shape) && result[0] + result[1] > 1 - 1e-15)
+          result[1] = 1 - result[0]; // whose sum is 1 exactly
       return result;
     }
 
@@ -149,7 +198,7 @@ namespace Signorini
       // of f is rounding, otherwise the last step before convergence could be refused.
       for (double damping = 1; damping > 1e-5; damping /= 2)
         {
-          const Point<dim - 1> trial    = moved(xi, damping * step);
+          const Point<dim - 1> trial    = moved(face.reference_cell(), xi, damping * step);
           const Tensor<1, dim> movement = face.position(trial) - start;
           // f(trial) - f(xi) without the cancellation that two squares would bring
           const double change = movement * (m.residual + 0.5 * movement);
@@ -166,9 +215,9 @@ namespace Signorini
 
 
   // Projected Newton method for (1.8) with the Hessian (3.2). Each step minimises the quadratic
-  // model over the parameter square exactly. It ends where a step moves the point by rounding only;
-  // the result is a minimum if the model is convex there. At most 30 steps; project() has other
-  // means where this fails.
+  // model over the domain of the parameters exactly. It ends where a step moves the point by
+  // rounding only; the result is a minimum if the model is convex there. At most 30 steps;
+  // project() has other means where this fails.
   template <int dim>
   bool
   descend_to_minimum(const Point<dim> &x, const FacePatch<dim> &face, Point<dim - 1> &xi)
@@ -177,13 +226,8 @@ namespace Signorini
     for (unsigned int iteration = 0; iteration < 30; ++iteration)
       {
         const QuadraticModel<dim> m = model_at(x, face, xi);
-        Tensor<1, dim - 1>        lower, upper;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          {
-            lower[d] = -xi[d];
-            upper[d] = 1 - xi[d];
-          }
-        const Tensor<1, dim - 1> step = constrained_minimiser(m.gradient, m.hessian, lower, upper);
+        const Tensor<1, dim - 1>  step =
+          constrained_minimiser(m.gradient, m.hessian, face.reference_cell(), xi);
         // The step in space, which unlike the parameters has a length to compare with the size of
         // the face.
         Tensor<1, dim> way;
@@ -191,7 +235,7 @@ namespace Signorini
           way += step[d] * m.tangents[d];
         if (way.norm() <= tolerance)
           {
-            xi = moved(xi, step);
+            xi = moved(face.reference_cell(), xi, step);
             return m.convex;
           }
         if (!descend(x, face, m, step, xi))

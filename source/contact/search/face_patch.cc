@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/face_patch.h"
 
-#include "geometry/lagrange.h"
+#include "geometry/face_functions.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
@@ -29,8 +29,8 @@ namespace Signorini
         return cross_product_3d(tangents[0], tangents[1]);
     }
 
-    /// The nodes of a face of a cell under the mapping, lexicographic in xi.
-    /// @param k degree of the geometry; the result has (k+1)^(dim-1) points
+    /// The nodes of a face of a cell under the mapping, in the order of face_lattice().
+    /// @param k degree of the geometry
     template <int dim>
     std::vector<Point<dim>>
     face_nodes(const Mapping<dim>                                      &mapping,
@@ -38,45 +38,48 @@ namespace Signorini
                const typename Triangulation<dim>::active_cell_iterator &cell,
                const unsigned int                                       face)
     {
+      const ReferenceCell     reference = cell->reference_cell();
       std::vector<Point<dim>> nodes;
-      for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+      for (const Point<dim - 1> &xi : face_lattice<dim>(shape_of_faces(reference), k))
         nodes.push_back(
-          mapping.transform_unit_to_real_cell(cell,
-                                              unit_point<dim>(cell->reference_cell(), face, xi)));
+          mapping.transform_unit_to_real_cell(cell, unit_point<dim>(reference, face, xi)));
       return nodes;
     }
 
-    /// Bound of the largest absolute value of a polynomial of degree k on the square over its
-    /// largest nodal value (the Lebesgue constant of equidistant nodes, tensor product).
+    /// Bound of the largest absolute value of a polynomial of degree k on a face over its largest
+    /// nodal value: the Lebesgue constant of equidistant nodes, of tensor products, or 5/3 of
+    /// degree 2 on triangles.
     template <int dim>
     double
-    lebesgue_bound(const unsigned int k)
+    lebesgue_bound(const ReferenceCell &shape, const unsigned int k)
     {
       // By the degree, from 0 on; rounded up.
       constexpr std::array<double, max_degree + 1> line = {{1., 1., 1.25, 1.64, 2.21}};
+      if (is_triangle(shape))
+        return k == 1 ? 1. : 1.67;
       return Utilities::fixed_power<dim - 1>(line[k]);
     }
 
-    /// The largest deviation of the nodes from the multilinear interpolant of the corners, by
+    /// The largest deviation of the nodes from the (multi)linear interpolant of the corners, by
     /// component [length]. The face is that interpolant, which stays in the box of its corners,
     /// plus a polynomial with these deviations as nodal values, which lebesgue_bound() limits.
     template <int dim>
     Tensor<1, dim>
-    largest_deviation(const std::vector<Point<dim>> &nodes, const unsigned int k)
+    largest_deviation(const ReferenceCell           &shape,
+                      const std::vector<Point<dim>> &nodes,
+                      const unsigned int             k)
     {
-      // In the plane a face is one row of nodes, and the corners of the upper row coincide with
-      // those of the lower one, whose weight 1 - t is one.
-      const unsigned int rows = dim == 3 ? k : 0, top = rows * (k + 1);
-      Tensor<1, dim>     largest;
-      for (unsigned int j = 0; j <= rows; ++j)
-        for (unsigned int i = 0; i <= k; ++i)
-          {
-            const double         s = double(i) / k, t = double(j) / k;
-            const Tensor<1, dim> linear = (1 - t) * ((1 - s) * nodes[0] + s * nodes[k]) +
-                                          t * ((1 - s) * nodes[top] + s * nodes[top + k]);
-            for (unsigned int d = 0; d < dim; ++d)
-              largest[d] = std::max(largest[d], std::abs(nodes[j * (k + 1) + i][d] - linear[d]));
-          }
+      const std::vector<Point<dim>> corners = every_nth_of_lattice(shape, nodes, k, k);
+      Tensor<1, dim>                largest;
+      auto                          node = nodes.begin();
+      for (const Point<dim - 1> &xi : face_lattice<dim>(shape, k))
+        {
+          const Tensor<1, dim> linear =
+            FaceFunctions<dim>(shape, 1, xi).template derivative_of<Tensor<1, dim>>(corners, {});
+          for (unsigned int d = 0; d < dim; ++d)
+            largest[d] = std::max(largest[d], std::abs((*node)[d] - linear[d]));
+          ++node;
+        }
       return largest;
     }
 
@@ -85,18 +88,15 @@ namespace Signorini
     /// the box of the nodes alone might not where the face is curved.
     template <int dim>
     BoundingBox<dim>
-    box_of(const std::vector<Point<dim>> &nodes, const unsigned int k)
+    box_of(const ReferenceCell &shape, const std::vector<Point<dim>> &nodes, const unsigned int k)
     {
-      const unsigned int              top     = dim == 3 ? k * (k + 1) : 0;
-      const std::array<Point<dim>, 4> corners = {{nodes[0], nodes[k], nodes[top], nodes[top + k]}};
-      const Tensor<1, dim>            deviation = largest_deviation(nodes, k);
-
-      BoundingBox<dim> box(corners);
+      const Tensor<1, dim> deviation = largest_deviation(shape, nodes, k);
+      BoundingBox<dim>     box(every_nth_of_lattice(shape, nodes, k, k));
       auto &[lower, upper]  = box.get_boundary_points();
       const double rounding = 1e-14 * (lower.norm() + upper.norm());
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double margin = lebesgue_bound<dim>(k) * deviation[d] + rounding;
+          const double margin = lebesgue_bound<dim>(shape, k) * deviation[d] + rounding;
           lower[d] -= margin;
           upper[d] += margin;
         }
@@ -136,16 +136,15 @@ namespace Signorini
                             const unsigned int                                       degree,
                             const typename Triangulation<dim>::active_cell_iterator &cell,
                             const unsigned int                                       face)
-    : degree(degree)
-    , nodes(face_nodes(mapping, degree, cell, face))
+    // Simplices are curved by parabolas.
+    : degree(cell->reference_cell().is_simplex() ? std::min(degree, 2u) : degree)
+    , nodes(face_nodes(mapping, this->degree, cell, face))
   {
     measure();
 
     // A step into the cell along the third coordinate line leaves the face to the inside wherever
     // the mapping is valid; the center of a flat or strongly curved cell may lie on the wrong side.
-    Parameter middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
+    const Parameter  middle  = this->middle();
     const Point<dim> on_face = unit_point<dim>(cell->reference_cell(), face, middle);
     const Point<dim> inside  = on_face + 1e-3 * inward_direction<dim>(cell->reference_cell(), face);
     const Tensor<1, dim> outwards = mapping.transform_unit_to_real_cell(cell, on_face) -
@@ -160,7 +159,8 @@ namespace Signorini
   FacePatch<dim>::measure()
   {
     Assert(degree >= 1 && degree <= max_degree, ExcIndexRange(degree, 1, max_degree + 1));
-    AssertDimension(nodes.size(), Utilities::pow(degree + 1, dim - 1));
+    shape = shape_of_lattice(dim, degree, nodes.size());
+    AssertDimension(nodes.size(), face_lattice<dim>(shape, degree).size());
 
     size = 0;
     // The size is the largest distance of two nodes. A face of higher degree whose nodes are those
@@ -169,24 +169,24 @@ namespace Signorini
     for (const Point<dim> &a : nodes)
       for (const Point<dim> &b : nodes)
         size = std::max(size, a.distance(b));
-    bounds = box_of(nodes, degree);
+    bounds = box_of(shape, nodes, degree);
     const double rounding =
       1e-12 * size + 16 * std::numeric_limits<double>::epsilon() * nodes[0].norm();
-    if (degree > 1 && largest_deviation(nodes, degree).norm() < rounding)
-      keep_corners();
+    if (degree > 1 && largest_deviation(shape, nodes, degree).norm() < rounding)
+      {
+        nodes  = every_nth_of_lattice(shape, nodes, degree, degree);
+        degree = 1;
+      }
 
     // Estimate the largest norm of the second derivatives from the corners, the middles of the
     // sides and the center. They are polynomials of low degree, which rise little between these
-    // points; a margin of a quarter is added. A straight line in 2D has none.
-    constexpr double                margin      = 1.25;
-    constexpr std::array<double, 3> places      = {{0., 0.5, 1.}};
-    const bool                      is_parallel = dim == 2 && degree == 1;
-    largest_curvature                           = 0;
-    for (unsigned int n = 0; !is_parallel && n < Utilities::pow(3u, dim - 1); ++n)
+    // points; a margin of a quarter is added. Lines and triangles of degree 1 have none.
+    constexpr double margin = 1.25;
+    largest_curvature       = 0;
+    if (degree == 1 && shape != ReferenceCells::Quadrilateral)
+      return;
+    for (const Parameter &xi : face_lattice<dim>(shape, 2))
       {
-        Parameter xi;
-        for (unsigned int d = 0, rest = n; d < dim - 1; ++d, rest /= 3)
-          xi[d] = places[rest % 3];
         double square = 0;
         for (const auto &row : curvatures(xi))
           for (const Tensor<1, dim> &one : row)
@@ -197,27 +197,12 @@ namespace Signorini
 
 
 
-  // The geometry is the same; evaluations of a multilinear face cost less.
-  template <int dim>
-  void
-  FacePatch<dim>::keep_corners()
-  {
-    const unsigned int top = dim == 3 ? degree * (degree + 1) : 0;
-    if (dim == 2)
-      nodes = {nodes[0], nodes[degree]};
-    else
-      nodes = {nodes[0], nodes[degree], nodes[top], nodes[top + degree]};
-    degree = 1;
-  }
-
-
-
   // Sum of nodes times Lagrange polynomials (equation 3.1).
   template <int dim>
   Point<dim>
   FacePatch<dim>::position(const Parameter &xi) const
   {
-    const LagrangePolynomials<dim - 1> basis(degree, xi);
+    const FaceFunctions<dim> basis(shape, degree, xi);
     return Point<dim>(basis.template derivative_of<Tensor<1, dim>>(nodes, {}));
   }
 
@@ -229,7 +214,7 @@ namespace Signorini
   std::array<Tensor<1, dim>, dim - 1>
   FacePatch<dim>::tangents(const Parameter &xi) const
   {
-    const LagrangePolynomials<dim - 1>  basis(degree, xi);
+    const FaceFunctions<dim>            basis(shape, degree, xi);
     std::array<Tensor<1, dim>, dim - 1> result;
     for (unsigned int i = 0; i < dim - 1; ++i)
       {
@@ -247,7 +232,7 @@ namespace Signorini
   std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1>
   FacePatch<dim>::curvatures(const Parameter &xi) const
   {
-    const LagrangePolynomials<dim - 1>                       basis(degree, xi);
+    const FaceFunctions<dim>                                 basis(shape, degree, xi);
     std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> result;
     for (unsigned int i = 0; i < dim - 1; ++i)
       for (unsigned int j = 0; j <= i; ++j)

@@ -16,10 +16,10 @@
 
 namespace Signorini
 {
-  /// The geometry of one face: x(xi) = sum_i L_i(xi) X_i with tensor product Lagrange polynomials
-  /// of degree k on [0,1]^(dim-1), equidistant nodes, lexicographic order. It equals the face of a
-  /// MappingQ of the same degree, and does not refer to a mesh, so that it can be tested and sent
-  /// to other ranks by itself.
+  /// The geometry of one face: x(xi) = sum_i L_i(xi) X_i with Lagrange polynomials of degree k and
+  /// equidistant nodes, in lexicographic order, on the line or square [0,1]^(dim-1) or on the
+  /// reference triangle. It equals the face of a mapping of the same degree, and does not refer to
+  /// a mesh, so that it can be tested and sent to other ranks by itself.
   template <int dim>
   class FacePatch
   {
@@ -28,8 +28,9 @@ namespace Signorini
 
     FacePatch() = default;
 
-    /// @param nodes (k+1)^(dim-1) points; @param outward the sign that makes the parametric normal
-    /// (2D: rotate x_xi clockwise; 3D: x_xi cross x_eta) point out of the body.
+    /// @param nodes (k+1)^(dim-1) points, or (k+1)(k+2)/2 of a triangle; @param outward the sign
+    /// that makes the parametric normal (2D: rotate x_xi clockwise; 3D: x_xi cross x_eta) point out
+    /// of the body.
     FacePatch(unsigned int degree, const std::vector<dealii::Point<dim>> &nodes, double outward);
 
     /// The geometry of a boundary face of a cell under a mapping of that degree. The parameter xi
@@ -64,6 +65,20 @@ namespace Signorini
     double
     jacobian(const Parameter &xi) const;
 
+    /// The reference cell of the face: a line, a quadrilateral or a triangle.
+    const dealii::ReferenceCell &
+    reference_cell() const
+    {
+      return shape;
+    }
+
+    /// The parameter in the middle of the face.
+    Parameter
+    middle() const
+    {
+      return shape.barycenter<dim - 1>();
+    }
+
     /// The degree k of the geometry; 1 if the face is multilinear, whatever degree it was made
     /// with, since fewer nodes then suffice.
     unsigned int
@@ -96,7 +111,7 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &degree;
+      ar &degree &shape;
       serialize_bytes(ar, nodes);
       ar &outward &bounds &size &largest_curvature &piece;
     }
@@ -110,10 +125,9 @@ namespace Signorini
     /// Compute size, bounding box and bound of the second derivatives from the nodes.
     void
     measure();
-    void
-    keep_corners();
 
     unsigned int                    degree = 1;
+    dealii::ReferenceCell           shape;
     std::vector<dealii::Point<dim>> nodes;
     double                          outward = 1;
     dealii::BoundingBox<dim>        bounds;

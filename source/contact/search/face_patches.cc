@@ -3,24 +3,31 @@
 
 #include <deal.II/fe/fe_nothing.h>
 
+#include <algorithm>
+
 namespace Signorini
 {
   using namespace dealii;
 
   namespace
   {
+    /// The degree of the faces of a cell: simplices are curved by parabolas.
+    unsigned int
+    degree_of_faces(const ReferenceCell &cell, const unsigned int degree)
+    {
+      return cell.is_simplex() ? std::min(degree, 2u) : degree;
+    }
+
     /// The nodes of a face, lexicographic, then its middle and a point inside of the cell.
     template <int dim>
     Quadrature<dim>
     places_on(const ReferenceCell &cell, const unsigned int face, const unsigned int k)
     {
+      const ReferenceCell     shape = shape_of_faces(cell);
       std::vector<Point<dim>> points;
-      for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+      for (const Point<dim - 1> &xi : face_lattice<dim>(shape, k))
         points.push_back(unit_point<dim>(cell, face, xi));
-      Point<dim - 1> middle;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        middle[d] = 0.5;
-      points.push_back(unit_point<dim>(cell, face, middle));
+      points.push_back(unit_point<dim>(cell, face, shape.barycenter<dim - 1>()));
       // A step along the third coordinate line leaves the face to the inside wherever the mapping
       // is valid; the center of a flat or strongly curved cell may lie on the wrong side.
       points.push_back(points.back());
@@ -28,33 +35,22 @@ namespace Signorini
       return Quadrature<dim>(points);
     }
 
-    /// Every other node of a face of degree k, in each direction.
-    template <int dim>
-    std::vector<Point<dim>>
-    halved(const std::vector<Point<dim>> &nodes, const unsigned int k)
-    {
-      std::vector<Point<dim>> result;
-      for (unsigned int j = 0; j < (dim == 3 ? k + 1 : 1); j += 2)
-        for (unsigned int i = 0; i <= k; i += 2)
-          result.push_back(nodes[j * (k + 1) + i]);
-      return result;
-    }
-
     /// Halve the degree of a face's nodes as long as its shape does not change; returns the degree.
     template <int dim>
     unsigned int
-    lower_degree(std::vector<Point<dim>> &nodes, unsigned int k)
+    lower_degree(const ReferenceCell &shape, std::vector<Point<dim>> &nodes, unsigned int k)
     {
       constexpr double small = 3e-6;
       for (; k % 2 == 0; k /= 2)
         {
-          const FacePatch<dim> lower(k / 2, halved(nodes, k), 1);
+          const auto           fewer = every_nth_of_lattice(shape, nodes, k, 2);
+          const FacePatch<dim> lower(k / 2, fewer, 1);
           const double         most = small * lower.diameter();
           auto                 node = nodes.begin();
-          for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+          for (const Point<dim - 1> &xi : face_lattice<dim>(shape, k))
             if (lower.position(xi).distance(*node++) > most)
               return k;
-          nodes = halved(nodes, k);
+          nodes = fewer;
         }
       return k;
     }
@@ -70,11 +66,11 @@ namespace Signorini
       nothing_on_simplices(ReferenceCells::get_simplex<dim>());
     const auto add = [&](const FE_Nothing<dim> &fe, auto &of_faces) {
       for (const unsigned int face : fe.reference_cell().face_indices())
-        of_faces.push_back(
-          std::make_unique<FEValues<dim>>(mesh.surface_mapping(),
-                                          fe,
-                                          places_on<dim>(fe.reference_cell(), face, degree),
-                                          update_quadrature_points));
+        of_faces.push_back(std::make_unique<FEValues<dim>>(
+          mesh.surface_mapping(),
+          fe,
+          places_on<dim>(fe.reference_cell(), face, degree_of_faces(fe.reference_cell(), degree)),
+          update_quadrature_points));
     };
     if (mesh.has_hypercubes())
       add(nothing, of_hypercubes);
@@ -89,18 +85,16 @@ namespace Signorini
   FacePatches<dim>::operator()(const typename Triangulation<dim>::cell_iterator &cell,
                                const unsigned int                                face)
   {
-    FEValues<dim> &values =
-      *(cell->reference_cell().is_simplex() ? of_simplices : of_hypercubes)[face];
+    const ReferenceCell reference = cell->reference_cell();
+    FEValues<dim>      &values    = *(reference.is_simplex() ? of_simplices : of_hypercubes)[face];
     values.reinit(cell);
     std::vector<Point<dim>> nodes    = values.get_quadrature_points();
     const Tensor<1, dim>    outwards = nodes[nodes.size() - 2] - nodes.back();
     nodes.resize(nodes.size() - 2);
-    const unsigned int k = lower_degree(nodes, degree);
-    Point<dim - 1>     middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
+    const unsigned int k =
+      lower_degree(shape_of_faces(reference), nodes, degree_of_faces(reference, degree));
     const FacePatch<dim> patch(k, nodes, 1);
-    return patch.normal(middle) * outwards > 0 ? patch : FacePatch<dim>(k, nodes, -1);
+    return patch.normal(patch.middle()) * outwards > 0 ? patch : FacePatch<dim>(k, nodes, -1);
   }
 
 

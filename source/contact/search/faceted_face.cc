@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/segments.h"
+#include "geometry/face_parameter.h"
 
-#include <deal.II/base/utilities.h>
+#include <cmath>
 
 namespace Signorini
 {
@@ -25,8 +26,12 @@ namespace Signorini
         }
       else
         {
-          facet.center          = (x[0] + x[1] + x[2] + x[3]) / 4.;
-          Tensor<1, dim> normal = cross_product_3d(x[3] - x[0], x[2] - x[1]);
+          Tensor<1, dim> sum;
+          for (const Point<dim> &corner : x)
+            sum += corner;
+          facet.center          = Point<dim>(sum / double(x.size()));
+          Tensor<1, dim> normal = x.size() == 3 ? cross_product_3d(x[1] - x[0], x[2] - x[0]) :
+                                                  cross_product_3d(x[3] - x[0], x[2] - x[1]);
           normal /= normal.norm();
           t[0] = x[1] - x[0];
           t[0] -= (t[0] * normal) * normal;
@@ -53,24 +58,39 @@ namespace Signorini
   FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
     : patch(patch)
   {
-    // A face of degree k is divided into k facets in each direction, between neighbouring nodes.
-    const unsigned int per_line = patch.get_degree(), n = Utilities::fixed_power<dim - 1>(per_line);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        Facet<dim> facet;
-        // Facets are numbered lexicographically, with the first parameter running fastest.
-        for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
-          facet.place[d] = rest % per_line;
-        for (unsigned int c = 0; c < facet.n_corners; ++c)
-          {
-            Point<dim - 1> xi;
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              xi[d] = double(facet.place[d] + ((c >> d) & 1)) / per_line;
-            facet.corners[c] = patch.position(xi);
-          }
-        set_plane(facet);
-        facets.push_back(facet);
-      }
+    // A face of degree k is divided between neighbouring nodes, into k facets in each direction.
+    // Of a triangle there are those from a node to the next ones along the parameters, and those
+    // from there back.
+    const ReferenceCell &shape = patch.reference_cell();
+    const int            k     = patch.get_degree();
+    const auto           add   = [&](const int i, const int j, const int step) {
+      Facet<dim>         facet;
+      std::array<int, 2> from{{i, j}};
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        {
+          facet.origin[d]   = double(from[d]) / k;
+          facet.edges[d][d] = double(step) / k;
+        }
+      for (const unsigned int v : shape.vertex_indices())
+        {
+          // Parameters are quotients of integers, so that neighbours have the same corners.
+          const Point<dim - 1> corner = shape.vertex<dim - 1>(v);
+          Point<dim - 1>       xi;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            xi[d] = double(from[d] + step * std::lround(corner[d])) / k;
+          facet.corners.push_back(patch.position(xi));
+        }
+      set_plane(facet);
+      facets.push_back(facet);
+    };
+    // Facets are numbered lexicographically, with the first parameter running fastest.
+    for (int j = 0; j < (dim == 3 ? k : 1); ++j)
+      for (int i = 0; i < (is_triangle(shape) ? k - j : k); ++i)
+        {
+          add(i, j, 1);
+          if (is_triangle(shape) && i + j + 2 <= k)
+            add(i + 1, j + 1, -1);
+        }
   }
 
 

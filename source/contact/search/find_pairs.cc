@@ -74,10 +74,8 @@ namespace Signorini
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
               {
-                const FacePatch<dim> patch = patch_of(cell, f);
-                Point<dim - 1>       middle;
-                for (unsigned int d = 0; d < dim - 1; ++d)
-                  middle[d] = 0.5;
+                const FacePatch<dim> patch  = patch_of(cell, f);
+                const Point<dim - 1> middle = patch.middle();
                 result.own.push_back({patch.position(middle),
                                       patch.normal(middle),
                                       patch.diameter(),

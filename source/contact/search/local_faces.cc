@@ -122,10 +122,8 @@ namespace Signorini
   typename LocalFaces<dim>::Normals
   LocalFaces<dim>::normals_of(const FacePatch<dim> &face)
   {
-    Point<dim - 1> middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
-    double squares = 0;
+    const Point<dim - 1> middle  = face.middle();
+    double               squares = 0;
     for (const Tensor<1, dim> &tangent : face.tangents(middle))
       squares += tangent.norm_square();
     // The least stretch: the area is the product of the largest and the least one.

@@ -4,9 +4,9 @@
 #include "contact/search/boundary_faces.h"
 #include "contact/search/search.h"
 #include "contact/search/search_radius.h"
+#include "geometry/cell_rule.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,11 +65,11 @@ namespace Signorini
     std::vector<SampledPoint<dim>>
     places_of(const Configuration<dim> &now, const std::string &surface)
     {
-      const QGauss<dim - 1>          inner(2);
       std::vector<SampledPoint<dim>> result;
       const BoundaryFaces<dim>       faces(now, surface);
       for (unsigned int i = 0; i < faces.faces.size(); ++i)
-        for (const Point<dim - 1> &xi : inner.get_points())
+        for (const Point<dim - 1> &xi :
+             cell_rule<dim - 1>(faces.patches[i].reference_cell(), 2).get_points())
           result.push_back({faces.patches[i].position(xi),
                             faces.rest[i].position(xi),
                             faces.patches[i].normal(xi),

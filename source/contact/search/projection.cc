@@ -2,6 +2,7 @@
 #include "contact/search/projection.h"
 
 #include "contact/search/descent.h"
+#include "geometry/face_parameter.h"
 
 #include <algorithm>
 #include <array>
@@ -14,18 +15,8 @@ namespace Signorini
 
   namespace
   {
-    /// The start of Newton's method where there is only one minimum.
-    template <int n>
-    Point<n>
-    middle_of_square()
-    {
-      Point<n> middle;
-      for (unsigned int d = 0; d < n; ++d)
-        middle[d] = 0.5;
-      return middle;
-    }
-
-    // Parameter number n of a grid with per_line points a line over center +- half_width.
+    // Parameter number n of a grid with per_line points a line over center +- half_width, clamped
+    // to the square.
     template <int n_parameters>
     Point<n_parameters>
     grid_point(unsigned int               n,
@@ -59,8 +50,9 @@ namespace Signorini
           const Point<dim - 1> center = xi;
           for (unsigned int n = 0; n < (dim == 3 ? 25 : 5); ++n)
             {
-              const Point<dim - 1> trial = grid_point(n, 5, center, half_width);
-              const double         value = x.distance_square(face.position(trial));
+              const Point<dim - 1> trial =
+                nearest_in_cell(face.reference_cell(), grid_point(n, 5, center, half_width));
+              const double value = x.distance_square(face.position(trial));
               if (value < best)
                 {
                   best = value;
@@ -88,7 +80,7 @@ namespace Signorini
     double
     least_stretch(const FacePatch<dim> &face)
     {
-      const auto t = face.tangents(middle_of_square<dim - 1>());
+      const auto t = face.tangents(face.middle());
       if constexpr (dim == 2)
         return t[0].norm();
       else
@@ -113,8 +105,12 @@ namespace Signorini
                    1)
         , count(dim == 3 ? per_line * per_line : per_line)
       {
+        // Of the grid on the square a triangle has the points below the diagonal.
+        const bool is_half = is_triangle(face.reference_cell());
         for (unsigned int n = 0; n < count; ++n)
-          values[n] = x.distance_square(face.position(parameter(n)));
+          values[n] = is_half && n % per_line + n / per_line >= per_line ?
+                        std::numeric_limits<double>::max() :
+                        x.distance_square(face.position(parameter(n)));
       }
 
       unsigned int
@@ -126,7 +122,10 @@ namespace Signorini
       Point<dim - 1>
       parameter(const unsigned int n) const
       {
-        return grid_point(n, per_line, middle_of_square<dim - 1>(), 0.5);
+        Point<dim - 1> center;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          center[d] = 0.5;
+        return grid_point(n, per_line, center, 0.5);
       }
 
       double
@@ -141,6 +140,8 @@ namespace Signorini
       bool
       is_local_minimum(const unsigned int n) const
       {
+        if (values[n] == std::numeric_limits<double>::max())
+          return false;
         for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= per_line)
           {
             const unsigned int i = n / stride % per_line;
@@ -164,9 +165,10 @@ namespace Signorini
     is_convex(const Point<dim> &x, const FacePatch<dim> &face, const double least_stretch)
     {
       const double farthest = x.distance(face.center()) + face.diameter();
-      // From the middle, tangents change by at most the bound of the second derivatives times half
-      // of the diagonal.
-      const double stretch = least_stretch - 0.71 * face.second_derivative_bound();
+      // From the middle, tangents change by at most the bound of the second derivatives times the
+      // distance of the farthest corner: half of the diagonal of a square, sqrt(5)/3 of a triangle.
+      const double reach   = is_triangle(face.reference_cell()) ? 0.75 : 0.71;
+      const double stretch = least_stretch - reach * face.second_derivative_bound();
       return stretch > 0 && farthest * face.second_derivative_bound() < stretch * stretch;
     }
 
@@ -198,7 +200,7 @@ namespace Signorini
   project(const Point<dim> &x, const FacePatch<dim> &face)
   {
     const double stretch = least_stretch(face);
-    if (Point<dim - 1> xi = middle_of_square<dim - 1>();
+    if (Point<dim - 1> xi = face.middle();
         is_convex(x, face, stretch) && descend_to_minimum(x, face, xi))
       return result_at(x, face, xi);
 

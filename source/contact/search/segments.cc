@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/segments.h"
 
+#include "geometry/face_parameter.h"
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 
@@ -14,8 +16,19 @@ namespace Signorini
 
   namespace
   {
+    /// A facet in a plane.
     template <int n>
-    using Flat = std::array<Point<n>, (1 << n)>; // a facet in a plane
+    struct Flat
+    {
+      std::array<Point<n>, (1 << n)> corners; ///< of triangles the first three
+      bool                           is_triangle;
+
+      const Point<n> &
+      operator[](const unsigned int c) const
+      {
+        return corners[c];
+      }
+    };
 
     /// The corners of a facet projected along the normal of another one, in the coordinates of its
     /// plane.
@@ -26,15 +39,23 @@ namespace Signorini
     Flat<dim - 1>
     project(const Facet<dim> &facet, const Facet<dim> &plane)
     {
-      Flat<dim - 1> corners;
-      for (unsigned int c = 0; c < corners.size(); ++c)
+      Flat<dim - 1> flat{{}, facet.corners.size() == 3};
+      for (unsigned int c = 0; c < facet.corners.size(); ++c)
         for (unsigned int d = 0; d < dim - 1; ++d)
-          corners[c][d] = (facet.corners[c] - plane.center) * plane.axes[d];
-      return corners;
+          flat.corners[c][d] = (facet.corners[c] - plane.center) * plane.axes[d];
+      return flat;
     }
 
-    /// The parameter of a point of a flat bilinear facet, and the Jacobian |dx/ds| there. Newton's
-    /// method from the middle; one step suffices for parallelograms; ends after at most 30 steps.
+    /// The term of a flat facet with the product of both parameters, which triangles do not have.
+    Tensor<1, 2>
+    warp_of(const Flat<2> &x)
+    {
+      return x.is_triangle ? Tensor<1, 2>() : (x[3] - x[2]) - (x[1] - x[0]);
+    }
+
+    /// The parameter of a point of a flat facet, and the Jacobian |dx/ds| there. Newton's method
+    /// from the middle; one step suffices for triangles and parallelograms; ends after at most 30
+    /// steps.
     template <int n>
     std::pair<Point<n>, double>
     invert(const Flat<n> &x, const Point<n> &y)
@@ -51,8 +72,7 @@ namespace Signorini
           s = Point<n>(0.5, 0.5);
           // x(s) = x0 + s0 edge + s1 other + s0 s1 warp. The Jacobian matrix has the columns a and
           // b; its inverse is written by Cramer's rule.
-          const Tensor<1, n> edge = x[1] - x[0], other = x[2] - x[0],
-                             warp = (x[3] - x[2]) - (x[1] - x[0]);
+          const Tensor<1, n> edge = x[1] - x[0], other = x[2] - x[0], warp = warp_of(x);
           for (unsigned int step = 0; step < 30; ++step)
             {
               const Tensor<1, n> a = edge + s[1] * warp, b = other + s[0] * warp,
@@ -99,16 +119,19 @@ namespace Signorini
       return area;
     }
 
-    /// The corners of a facet as a counterclockwise polygon, with their sides. A side has the
-    /// number 2 d + (0 or 1) if the parameter d is 0 or 1 there.
+    /// The corners of a facet as a counterclockwise polygon, with their sides, numbered as in
+    /// ends_of_side().
     Polygon
     counterclockwise(const Flat<2> &x)
     {
       // Around the facet: from corner 0 along the side s1 = 0 (number 2), then s0 = 1 (1), s1 = 1
       // (3) and s0 = 0 (0). A facet that is seen from its other side has a clockwise projection,
       // and its order is reversed.
-      Polygon p = {{x[0], 2}, {x[1], 1}, {x[3], 3}, {x[2], 0}};
-      if (signed_area(p) < 0)
+      Polygon p = x.is_triangle ? Polygon{{x[0], 0}, {x[1], 1}, {x[2], 2}} :
+                                  Polygon{{x[0], 2}, {x[1], 1}, {x[3], 3}, {x[2], 0}};
+      if (signed_area(p) < 0 && x.is_triangle)
+        p = {{x[2], 1}, {x[1], 0}, {x[0], 2}};
+      else if (signed_area(p) < 0)
         p = {{x[2], 3}, {x[3], 1}, {x[1], 2}, {x[0], 0}};
       return p;
     }
@@ -171,10 +194,14 @@ namespace Signorini
     bool
     apart(const Flat<2> &a, const Flat<2> &b)
     {
+      const auto extent = [](const Flat<2> &x, const unsigned int d) {
+        // Of a triangle the last corner is taken twice.
+        return std::minmax({x[0][d], x[1][d], x[2][d], x[x.is_triangle ? 2 : 3][d]});
+      };
       for (unsigned int d = 0; d < 2; ++d)
         {
-          const auto [a0, a1] = std::minmax({a[0][d], a[1][d], a[2][d], a[3][d]});
-          const auto [b0, b1] = std::minmax({b[0][d], b[1][d], b[2][d], b[3][d]});
+          const auto [a0, a1] = extent(a, d);
+          const auto [b0, b1] = extent(b, d);
           if (a1 < b0 || b1 < a0)
             return true;
         }
@@ -246,22 +273,24 @@ namespace Signorini
       return result;
     }
 
-    /// @return whether a flat facet is a parallelogram up to a twentieth of its diagonal: its
-    /// functions are then polynomials of degree 2 in the plane, which those of others are not.
+    /// @return whether a flat facet is a triangle, or a parallelogram up to a twentieth of its
+    /// diagonal: its functions are then polynomials of degree 1 or 2 in the plane, which those of
+    /// others are not.
     bool
-    is_parallelogram(const Flat<2> &x)
+    has_polynomials(const Flat<2> &x)
     {
       constexpr double most = 0.05;
-      return ((x[3] - x[2]) - (x[1] - x[0])).norm() < most * (x[3] - x[0]).norm();
+      return warp_of(x).norm() < most * (x[x.is_triangle ? 2 : 3] - x[0]).norm();
     }
 
-    /// Quadrature points of the common part of two flat facets. With a rule of degree 2 and between
-    /// parallelograms, a part that is smaller than a ninth of the slave face has three points,
-    /// whatever its shape is; others have those of the rule in each triangle of a fan. In larger
-    /// parts the terms of degree 3 and 4 of products of two bilinear functions count: with three
-    /// points in all of them largest pressures are off by 1e-3 where the mesh leaves 1e-2, and by
-    /// 3e-4 where it leaves 1e-3 (scene two-curved-3d); with this limit by less than 1e-4. It is a
-    /// little less than a ninth, so that rounding does not decide on regular meshes.
+    /// Quadrature points of the common part of two flat facets. With a rule of degree 2 a part of
+    /// two triangles, whose linear functions have products of degree 2, has three points, whatever
+    /// its shape is; also one with a parallelogram if it is smaller than a ninth of the slave face.
+    /// Others have those of the rule in each triangle of a fan. In larger parts the terms of degree
+    /// 3 and 4 of products of two bilinear functions count: with three points in all of them
+    /// largest pressures are off by 1e-3 where the mesh leaves 1e-2, and by 3e-4 where it leaves
+    /// 1e-3 (scene two-curved-3d); with this limit by less than 1e-4. It is a little less than a
+    /// ninth, so that rounding does not decide on regular meshes.
     /// @param n_facets of the face that has the first facet
     FlatPoints<2>
     common_points(const Flat<2>       &a,
@@ -274,9 +303,9 @@ namespace Signorini
       constexpr unsigned int n_of_degree_2 = 3;
       constexpr double       small_part    = 0.11;
       const Polygon          ours = counterclockwise(a), p = clip(counterclockwise(b), ours);
-      if (rule.size() == n_of_degree_2 &&
-          signed_area(p) < small_part * n_facets * signed_area(ours) && is_parallelogram(a) &&
-          is_parallelogram(b))
+      const bool             is_small = signed_area(p) < small_part * n_facets * signed_area(ours);
+      if (rule.size() == n_of_degree_2 && (is_small || (a.is_triangle && b.is_triangle)) &&
+          has_polynomials(a) && has_polynomials(b))
         return points_of_degree_2(p);
       FlatPoints<2> result;
       for (const auto &triangle : fan_of(p))
@@ -333,34 +362,53 @@ namespace Signorini
       return pieces;
     }
 
-    /// True if a side of a facet is also a side of its face.
-    /// @param per_line number of facets in each direction
+    constexpr double on_side = 1e-9; ///< distance in parameters that is rounding
+
+    /// The side of the face on which a side of one of its facets lies; -1 if it is inside.
     template <int dim>
-    bool
-    ends_face(const Facet<dim> &facet, const unsigned int side, const unsigned int per_line)
+    int
+    side_of_face(const ReferenceCell &shape, const Facet<dim> &facet, const unsigned int side)
     {
-      return facet.place[side / 2] == (side % 2 == 0 ? 0 : per_line - 1);
+      if constexpr (dim == 2)
+        return std::abs(facet.origin[0] + side * facet.edges[0][0] - side) < on_side ? int(side) :
+                                                                                       none;
+      else
+        {
+          const auto at = [&](const Point<2> &s) {
+            return facet.origin + s[0] * facet.edges[0] + s[1] * facet.edges[1];
+          };
+          for (unsigned int of_face = 0; of_face < shape.n_faces(); ++of_face)
+            {
+              const auto   ends = ends_of_side<3>(shape, of_face);
+              const auto   way  = ends[1] - ends[0];
+              unsigned int n    = 0;
+              for (const Point<2> &end : ends_of_side<3>(shape, side))
+                n += std::abs(cross(way, at(end) - ends[0])) < on_side;
+              if (n == 2)
+                return of_face;
+            }
+          return none;
+        }
     }
 
-    /// The parameter of a face from that of one of its facets, clamped to the face, since rounding
+    /// The parameter of a face from that of one of its facets, moved to the face, since rounding
     /// may lead outside.
     template <int dim>
     Point<dim - 1>
-    of_face(const Facet<dim> &facet, const Point<dim - 1> &s, const unsigned int per_line)
+    of_face(const ReferenceCell &shape, const Facet<dim> &facet, const Point<dim - 1> &s)
     {
-      Point<dim - 1> xi;
+      Point<dim - 1> xi = facet.origin;
       for (unsigned int d = 0; d < dim - 1; ++d)
-        xi[d] = std::clamp((facet.place[d] + s[d]) / per_line, 0., 1.);
-      return xi;
+        xi += s[d] * facet.edges[d];
+      return nearest_in_cell<dim - 1>(shape, xi);
     }
 
     /// A facet of the slave and one of the master, projected onto the plane of the former.
     template <int dim>
     struct FacetPair
     {
-      const FacePatch<dim> &slave;
+      const FacePatch<dim> &slave, &master;
       const Facet<dim>     &ours, &theirs;
-      const unsigned int    n_slave, n_master; ///< facets of their faces along a line
       const Flat<dim - 1>   ours_flat, theirs_flat;
 
       /// The segment point at y in the plane of the slave's facet, with the weight of doc/theory,
@@ -370,10 +418,10 @@ namespace Signorini
       at(const Point<dim - 1> &y, const double measure) const
       {
         const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
-        const Point<dim - 1> xi  = of_face(ours, s, n_slave);
+        const Point<dim - 1> xi  = of_face(slave.reference_cell(), ours, s);
         return {xi,
-                of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
-                measure / jacobian / Utilities::fixed_power<dim - 1>(double(n_slave)) *
+                of_face(master.reference_cell(), theirs, invert<dim - 1>(theirs_flat, y).first),
+                measure / jacobian / Utilities::fixed_power<dim - 1>(double(slave.get_degree())) *
                   slave.jacobian(xi)};
       }
     };
@@ -385,13 +433,12 @@ namespace Signorini
                     const FacetedFace<dim> &master,
                     const Visit            &visit)
     {
-      const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
       for (const Facet<dim> &ours : slave.facets)
         {
           const auto ours_flat = project(ours, ours);
           for (const Facet<dim> &theirs : master.facets)
             visit(FacetPair<dim>{
-              slave.patch, ours, theirs, n_slave, n_master, ours_flat, project(theirs, ours)});
+              slave.patch, master.patch, ours, theirs, ours_flat, project(theirs, ours)});
         }
     }
   } // namespace
@@ -428,13 +475,14 @@ namespace Signorini
     for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
       for (const Piece<dim - 1> &piece : common_sides(pair.ours_flat, pair.theirs_flat, n_points))
         {
-          if (!ends_face(pair.theirs, piece.side, pair.n_master))
+          const int side = side_of_face(pair.master.reference_cell(), pair.theirs, piece.side);
+          if (side == none)
             continue;
           Tensor<1, dim> outward;
           for (unsigned int d = 0; d < dim - 1; ++d)
             outward += piece.outward[d] * pair.ours.axes[d];
           for (const auto &[y, length] : piece.points)
-            result.push_back({pair.at(y, length), outward, piece.side});
+            result.push_back({pair.at(y, length), outward, unsigned(side)});
         }
     });
     return result;

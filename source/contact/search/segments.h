@@ -26,20 +26,20 @@ namespace Signorini
     : public SegmentPoint<dim> ///< weight: area that an outward step of 1 adds
   {
     dealii::Tensor<1, dim> outward; ///< unit, in the mean plane of the slave's facet
-    unsigned int           side;    ///< of the master face: 2 d + (0 or 1) where its xi_d is that
+    unsigned int           side;    ///< of the master face, see ends_of_side()
   };
 
-  /// A multilinear piece of a face between neighbouring nodes of its geometry; corners
-  /// lexicographic.
+  /// A (multi)linear piece of a face between neighbouring nodes of its geometry, of the shape of
+  /// the face; corners lexicographic.
   template <int dim>
   struct Facet
   {
-    static constexpr unsigned int             n_corners = 1 << (dim - 1);
-    std::array<dealii::Point<dim>, n_corners> corners;
-    /// Number of the facet along each parameter of the face.
-    std::array<unsigned int, dim - 1>           place;
-    dealii::Point<dim>                          center;
-    std::array<dealii::Tensor<1, dim>, dim - 1> axes; ///< orthonormal, in its mean plane
+    std::vector<dealii::Point<dim>> corners;
+    /// The parameter of the face at the first corner, and its derivatives by those of the facet.
+    dealii::Point<dim - 1>                          origin;
+    std::array<dealii::Tensor<1, dim - 1>, dim - 1> edges;
+    dealii::Point<dim>                              center;
+    std::array<dealii::Tensor<1, dim>, dim - 1>     axes; ///< orthonormal, in its mean plane
   };
 
   /// A face with its multilinear facets, computed once for all segments of the face.

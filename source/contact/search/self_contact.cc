@@ -13,17 +13,6 @@ namespace Signorini
 
   namespace
   {
-    /// The parameter of the middle of a face.
-    template <int dim>
-    Point<dim - 1>
-    middle()
-    {
-      Point<dim - 1> result;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        result[d] = 0.5;
-      return result;
-    }
-
     /// A direction that is unlikely to be along an edge or axis of any model.
     template <int dim>
     Tensor<1, dim>
@@ -108,9 +97,9 @@ namespace Signorini
       std::vector<double>              sizes;
       for (const unsigned int i : sample(faces, comm))
         {
-          centers.push_back(faces.patches[i].position(middle<dim>()));
-          normals.push_back(faces.patches[i].normal(middle<dim>()));
-          rest.push_back(reference_point(faces.rest[i], middle<dim>()));
+          centers.push_back(faces.patches[i].position(faces.patches[i].middle()));
+          normals.push_back(faces.patches[i].normal(faces.patches[i].middle()));
+          rest.push_back(reference_point(faces.rest[i], faces.rest[i].middle()));
           sizes.push_back(faces.patches[i].diameter());
         }
       const auto master_points = find_master_projections(
@@ -163,7 +152,7 @@ namespace Signorini
       facing.direction.norm() == 0 ? skew_direction<dim>() : facing.direction;
     const double sign = e * facing.ways * skew_direction<dim>() < 0 ? -side : side;
     for (const FacePatch<dim> &patch : faces.patches)
-      slaves.push_back(sign * (patch.normal(middle<dim>()) * e) > 0);
+      slaves.push_back(sign * (patch.normal(patch.middle()) * e) > 0);
   }
 
 

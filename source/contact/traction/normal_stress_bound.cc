@@ -2,9 +2,9 @@
 // The bound of the stress on a face by the strain energy of a cell.
 #include "contact/search/face_patch.h"
 #include "contact/traction/normal_stress.h"
+#include "geometry/cell_rule.h"
 #include "linear_algebra/dense.h"
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <cmath>
@@ -24,9 +24,9 @@ namespace Signorini
       return 0;
     constexpr unsigned int n = VolumetricStress<dim>::functions_per_cell;
     // The functions are linear, so that their products are integrated exactly on plane faces.
-    const QGauss<dim - 1> rule(3);
-    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
-    Eigen::MatrixXd       values(n, rule.size()); // times the square roots of the areas
+    const FacePatch<dim> patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
+    const auto          &rule = cell_rule<dim - 1>(patch.reference_cell(), 3);
+    Eigen::MatrixXd      values(n, rule.size()); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
         const Point<dim> x    = patch.position(rule.point(q));
@@ -60,10 +60,10 @@ namespace Signorini
       for (unsigned int j = 0; j < n; ++j)
         K(i, j) = stiffness(i, j);
 
-    const QGauss<dim - 1> rule(cell->get_fe().degree + 2);
-    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
-    const unsigned int    n_components = with_slip ? dim : 1;
-    Eigen::MatrixXd stress(n_components * rule.size(), n); // times the square roots of the areas
+    const FacePatch<dim> patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
+    const auto        &rule = cell_rule<dim - 1>(patch.reference_cell(), cell->get_fe().degree + 2);
+    const unsigned int n_components = with_slip ? dim : 1;
+    Eigen::MatrixXd    stress(n_components * rule.size(), n); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
         const Tensor<1, dim> normal     = patch.normal(rule.point(q));

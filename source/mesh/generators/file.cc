@@ -162,44 +162,44 @@ namespace Signorini
 
 
     /// Throw SceneError if the cells of a part are not all of one shape that needs no division.
-    /// @return whether they are triangles
+    /// @return whether they are triangles or tetrahedra
     bool
-    are_triangles(const MeshFile                  &file,
+    are_simplices(const MeshFile                  &file,
                   const std::vector<unsigned int> &cells,
                   const unsigned int               dim)
     {
-      using Shape                    = MeshFile::Shape;
-      const Shape        cube        = dim == 2 ? cell_shape<2> : cell_shape<3>;
-      const unsigned int n           = std::count_if(cells.begin(),
-                                           cells.end(),
-                                           [&](const auto c) {
-                                             return file.elements[c].shape == cube;
-                                           }),
-                         n_triangles = std::count_if(cells.begin(), cells.end(), [&](const auto c) {
-                           return file.elements[c].shape == Shape::triangle;
-                         });
-      if (n == cells.size() || (dim == 2 && n_triangles == cells.size()))
-        return n < cells.size();
+      using Shape         = MeshFile::Shape;
+      const Shape cube    = dim == 2 ? cell_shape<2> : cell_shape<3>,
+                  simplex = dim == 2 ? Shape::triangle : Shape::tetrahedron;
+      const auto n_of     = [&](const Shape shape) -> std::size_t {
+        return std::count_if(cells.begin(), cells.end(), [&](const unsigned int c) {
+          return file.elements[c].shape == shape;
+        });
+      };
+      const std::size_t n_simplices = n_of(simplex);
+      if (n_of(cube) == cells.size() || n_simplices == cells.size())
+        return n_simplices > 0;
       throw SceneError(
-        dim == 3 ? "has " + std::to_string(cells.size() - n) +
-                     " cells that are not hexahedra, which are to be kept; that is possible for "
-                     "triangles only: set Cells = hexahedra" :
-                   "has " + std::to_string(n_triangles) + " triangles among " +
+        dim == 2 ? "has " + std::to_string(n_simplices) + " triangles among " +
                      std::to_string(cells.size()) +
                      " cells; a body may consist of triangles or quadrilaterals, not of both: set "
-                     "Cells = quadrilaterals");
+                     "Cells = quadrilaterals" :
+                   "has " + std::to_string(n_simplices) + " tetrahedra among " +
+                     std::to_string(cells.size()) +
+                     " cells; a body may consist of tetrahedra or hexahedra, not of both, and not "
+                     "of wedges or pyramids: set Cells = hexahedra");
     }
 
 
 
-    /// Throw SceneError if triangles that are kept are flat, or if neighbours of second order have
+    /// Throw SceneError if simplices that are kept are flat, or if neighbours of second order have
     /// different nodes on their common edge.
     /// @return a warning about nearly flat ones; none if there are none
     std::vector<std::string>
-    check_triangles(MeshFile &file, const std::vector<unsigned int> &cells)
+    check_simplices(MeshFile &file, const std::vector<unsigned int> &cells, const unsigned int dim)
     {
       Centers     centers(file);
-      ShapeReport report(file, 2);
+      ShapeReport report(file, dim);
       for (const unsigned int c : cells)
         {
           const MeshFile::Element &element = file.elements[c];
@@ -268,8 +268,8 @@ namespace Signorini
     FileSelection                   result = selection;
     const std::vector<unsigned int> cells  = cells_of_part(all, dim, selection.part);
     recognise_collapsed_cells(all, cells);
-    const bool keeps_triangles = cells_as_in_file && are_triangles(all, cells, dim);
-    if (!keeps_triangles && !ChosenCells(all, dim, selection.part).any)
+    const bool keeps_simplices = cells_as_in_file && are_simplices(all, cells, dim);
+    if (!keeps_simplices && !ChosenCells(all, dim, selection.part).any)
       return result;
     if (selection.coinciding_nodes == CoincidingPoints::merge)
       {
@@ -277,7 +277,7 @@ namespace Signorini
         result.coinciding_nodes = CoincidingPoints::refuse;
         result.node_distance    = 0;
       }
-    append(keeps_triangles ? check_triangles(all, cells) :
+    append(keeps_simplices ? check_simplices(all, cells, dim) :
                              divide_cells(all, dim, selection.part, mid_side_nodes),
            notes);
     return result;

@@ -51,8 +51,8 @@ namespace Signorini
       dim == 2 ?
         "quadrilaterals: each triangle is divided into three quadrilaterals; as in file: triangles "
         "are kept, with the degrees of freedom of the file and without refinement" :
-        "hexahedra: tetrahedra, wedges and pyramids are divided into hexahedra; as in file: only "
-        "files of hexahedra are accepted");
+        "hexahedra: tetrahedra, wedges and pyramids are divided into hexahedra; as in file: "
+        "tetrahedra are kept, with the degrees of freedom of the file and without refinement");
     section.add("Boundaries",
                 selection.boundaries,
                 "names in the file that are boundaries, separated by commas; a face belongs to the "

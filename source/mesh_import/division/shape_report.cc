@@ -22,16 +22,28 @@ namespace Signorini
 
 
 
-    /// @return the scaled Jacobian at a corner of a triangle, quadrilateral or hexahedron in the
-    /// numbering of MeshFile: the triple product of the unit vectors along its edges (2D: the z
-    /// component of the cross product). Negative if the corner is folded, or the cell is listed the
-    /// other way round.
+    /// @return the scaled Jacobian at a corner of a triangle, quadrilateral, tetrahedron or
+    /// hexahedron in the numbering of MeshFile: the triple product of the unit vectors along its
+    /// edges (2D: the z component of the cross product). Negative if the corner is folded, or the
+    /// cell is listed the other way round.
     double
     scaled_jacobian(const MeshFile          &file,
                     const MeshFile::Element &cell,
                     const unsigned int       corner,
                     const unsigned int       dim)
     {
+      if (cell.shape == MeshFile::Shape::tetrahedron)
+        {
+          const auto &x  = cell.nodes;
+          const auto  a  = file.nodes[x[1]] - file.nodes[x[0]],
+                     b   = file.nodes[x[2]] - file.nodes[x[0]],
+                     c   = file.nodes[x[3]] - file.nodes[x[0]];
+          double lengths = 1;
+          for (unsigned int other = 0; other < 4; ++other)
+            if (other != corner)
+              lengths *= std::max(file.nodes[x[other]].distance(file.nodes[x[corner]]), 1e-100);
+          return a * cross_product_3d(b, c) / lengths;
+        }
       const unsigned int n     = dim == 2 ? n_corners(cell.shape) : 4; // around
       const unsigned int layer = corner / n * n, i = corner % n;
       const Point<3>    &p    = file.nodes[cell.nodes[corner]];

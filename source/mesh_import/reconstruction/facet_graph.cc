@@ -24,6 +24,8 @@ namespace Signorini
       Tensor<1, dim> n;
       if constexpr (dim == 2)
         n = cross_product_2d(vertices[v[1]] - vertices[v[0]]);
+      else if (v.size() == 3)
+        n = cross_product_3d(vertices[v[1]] - vertices[v[0]], vertices[v[2]] - vertices[v[0]]);
       else
         n = cross_product_3d(vertices[v[3]] - vertices[v[0]], vertices[v[2]] - vertices[v[1]]);
       return n / n.norm();
@@ -78,14 +80,13 @@ namespace Signorini
     double       sagitta = angle > 1e-5 ? centers[a].distance(centers[b]) * angle / 8 : 0.;
     // Faces with inserted vertices are parts of facets of the file, and the sagitta wanted is that
     // of the whole facet. In 2D the parts are halves of lines. In 3D they are quadrilaterals cut
-    // from triangles, whose centres are half as far from each other as those of squares. The
-    // sagitta grows with the square of the length, of which the angle already contains one factor.
-    for (const unsigned int v : faces[a].vertices)
-      if (inserted[v])
-        {
-          sagitta *= dim == 2 ? 2 : 4;
-          break;
-        }
+    // from triangles, whose centres are half as far from each other as those of squares; so are
+    // those of triangles. The sagitta grows with the square of the length, of which the angle
+    // already contains one factor.
+    const auto &v = faces[a].vertices;
+    if ((dim == 3 && v.size() == 3) ||
+        std::any_of(v.begin(), v.end(), [&](const unsigned int i) { return inserted[i]; }))
+      sagitta *= dim == 2 ? 2 : 4;
     of_faces[a].push_back({b, sagitta});
     of_faces[b].push_back({a, sagitta});
   }

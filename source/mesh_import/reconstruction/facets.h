@@ -21,7 +21,7 @@ namespace Signorini
   }
 
   /// @return the rims at which a face meets others, each as sorted indices of vertices: its two
-  /// vertices in 2D, its four edges in 3D.
+  /// vertices in 2D, its three or four edges in 3D.
   /// @param v the vertices of the face, in deal.II's order
   template <int dim>
   std::vector<std::vector<unsigned int>>
@@ -29,6 +29,8 @@ namespace Signorini
   {
     if (dim == 2)
       return {{v[0]}, {v[1]}};
+    if (v.size() == 3)
+      return {sorted({v[0], v[1]}), sorted({v[1], v[2]}), sorted({v[2], v[0]})};
     return {sorted({v[0], v[1]}), sorted({v[2], v[3]}), sorted({v[0], v[2]}), sorted({v[1], v[3]})};
   }
 

@@ -51,7 +51,7 @@ namespace Signorini
 
 
 
-    /// @return the line itself, or the two triangles of a quadrilateral.
+    /// @return the line or triangle itself, or the two triangles of a quadrilateral.
     template <int dim>
     std::vector<Facet<dim>>
     pieces_of(const CellData<dim - 1> &face, const std::vector<Point<dim>> &vertices)
@@ -66,6 +66,8 @@ namespace Signorini
               const Tensor<1, dim> a = vertices[j] - vertices[i], b = vertices[k] - vertices[i];
               return Facet<dim>{cross_product_3d(a, b).norm() / 2, center_of({i, j, k}, vertices)};
             };
+          if (v.size() == 3)
+            return {triangle(v[0], v[1], v[2])};
           return {triangle(v[0], v[1], v[2]), triangle(v[3], v[2], v[1])};
         }
     }

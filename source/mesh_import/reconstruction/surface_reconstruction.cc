@@ -115,26 +115,50 @@ namespace Signorini
 
 
 
-    /// Give a face on a smooth surface its manifold id. Lines that have one already (of a round
-    /// surface, or of the face that came before, which has the same curve there) keep it.
+    /// Give a face on a smooth surface its manifold. Lines that have one already (of a round
+    /// surface, or of the face that came before, which has the same curve there) keep it. Triangles
+    /// are curved by the points in the middle of their edges alone.
+    /// @param id the next manifold id
+    /// @return the next manifold id
     template <int dim>
-    void
+    types::manifold_id
     assign_manifold(const SmoothFace<dim>      &smooth,
                     const FacesByVertices<dim> &by_vertices,
-                    const types::manifold_id    id,
-                    const FilePart<dim>        &part)
+                    types::manifold_id          id,
+                    const FilePart<dim>        &part,
+                    Triangulation<dim>         &triangulation)
     {
-      const auto &face = by_vertices.at(boundary_faces(part)[smooth.face]).second;
+      const CellData<dim - 1> &corners = boundary_faces(part)[smooth.face];
+      const auto              &face    = by_vertices.at(corners).second;
+      if constexpr (dim == 3)
+        if (const auto &v = corners.vertices; v.size() == 3)
+          {
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int l = 0; l < 3; ++l)
+                if (const auto line = face->line(l);
+                    line->manifold_id() == numbers::flat_manifold_id &&
+                    sorted({line->vertex_index(0), line->vertex_index(1)}) ==
+                      sorted({v[i], v[(i + 1) % 3]}))
+                  {
+                    triangulation.set_manifold(id,
+                                               ParabolicLine<dim>(smooth.edges[i].value(0.5) -
+                                                                  line->center()));
+                    line->set_manifold_id(id++);
+                  }
+            return id;
+          }
+      triangulation.set_manifold(id, CurvedFace<dim>(smooth.edges));
       face->set_manifold_id(id);
       if constexpr (dim == 3)
         for (unsigned int l = 0; l < face->n_lines(); ++l)
           if (face->line(l)->manifold_id() == numbers::flat_manifold_id)
             face->line(l)->set_manifold_id(id);
+      return id + 1;
     }
 
 
 
-    /// Reconstruct smooth surfaces where no round one was recognised: give each face a manifold of
+    /// Reconstruct smooth surfaces where no round one was recognised: give each face manifolds of
     /// its own, with ids from `first` on, and move its vertices onto the surface.
     /// @param known for each face whether a round surface was recognised
     /// @param facets whose sagitta becomes the uncertainty of the reconstructed surface
@@ -155,12 +179,11 @@ namespace Signorini
       const SmoothFaces<dim>    smooth = find_smooth_faces(graph, known);
       std::vector<unsigned int> some;
       double                    uncertainty = 0;
+      types::manifold_id        next        = first;
       for (const SmoothFace<dim> &one : smooth.faces)
         if (!is_too_thin(facets.sagitta[one.face], {one.face}, boundary_faces(part), by_vertices))
           {
-            const types::manifold_id id = first + some.size();
-            triangulation.set_manifold(id, CurvedFace<dim>(one.edges));
-            assign_manifold(one, by_vertices, id, part);
+            next = assign_manifold(one, by_vertices, next, part, triangulation);
             some.push_back(one.face);
             facets.sagitta[one.face] = one.uncertainty;
             uncertainty              = std::max(uncertainty, one.uncertainty);
