@@ -111,35 +111,6 @@ namespace Signorini
       }
     };
 
-    /// The linear functions of the corners of a part of a face, and their derivatives, at a point
-    /// of a square, which is mapped to triangles so that its upper side becomes the last corner.
-    struct PartFunctions
-    {
-      std::array<double, 4>                value{};
-      std::array<std::array<double, 4>, 2> slope{};
-
-      PartFunctions(const unsigned int n_corners, const double s, const double t)
-      {
-        if (n_corners == 2)
-          {
-            value    = {{1 - s, s}};
-            slope[0] = {{-1, 1}};
-          }
-        else if (n_corners == 3)
-          {
-            value    = {{(1 - s) * (1 - t), s * (1 - t), t}};
-            slope[0] = {{t - 1, 1 - t, 0}};
-            slope[1] = {{s - 1, -s, 1}};
-          }
-        else
-          {
-            value    = {{(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}};
-            slope[0] = {{t - 1, 1 - t, -t, t}};
-            slope[1] = {{s - 1, -s, 1 - s, s}};
-          }
-      }
-    };
-
     /// Determines the contact zone of a pair from nodal pressures, on the parts of slave faces
     /// between neighbouring nodes (2nd degree: halves or quarters of the face). The square of the
     /// pressure is interpolated multilinearly on each part, with negative values at open nodes that

@@ -92,6 +92,42 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// Set the values of nodes all of whose faces have no node with a pressure function, in corners
+    /// of the surface, to the mean of those of the other nodes there. Collective.
+    /// @param count,free at nodes: the number of values, and of faces with a pressure function
+    template <int dim>
+    void
+    fill_corners(const Snapshot<dim> &s,
+                 const unsigned int   pair,
+                 const LA::Vector    &count,
+                 const LA::Vector    &free,
+                 LA::Vector          &field)
+    {
+      LA::Vector known = count, sum = s.elasticity.zero_vector(), number = sum;
+      known += free;
+      const LA::Vector is_known = s.elasticity.with_ghosts(known),
+                       now      = s.elasticity.with_ghosts(field);
+      for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+        for (const auto i : face.nodes)
+          for (const auto other : face.nodes)
+            if (is_known(i) == 0 && is_known(other) > 0)
+              {
+                sum(i) += now(other);
+                number(i) += 1;
+              }
+      for (LA::Vector *v : {&sum, &number})
+        v->compress(VectorOperation::add);
+      for (const auto i : s.elasticity.owned())
+        if (number(i) > 0)
+          field(i) = sum(i) / number(i);
+      field.compress(VectorOperation::insert);
+    }
+  } // namespace
+
+
+
   // Distances are counted in steps of the lattice of nodes, up to rounding.
   template <int dim>
   std::vector<unsigned int>
@@ -142,6 +178,7 @@ namespace Signorini
       if (count(i) > 0 && free(i) == 0)
         field(i) = sum(i) / count(i);
     field.compress(VectorOperation::insert);
+    fill_corners(s, pair, count, free, field);
   }
 
 

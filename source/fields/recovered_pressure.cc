@@ -397,8 +397,8 @@ namespace Signorini
                                 raw :
                                 Recovery<dim>(s, pair, values).run();
     extrapolate_to_dirichlet_nodes(s, pair, raw, is_positive, result);
-    fill_between(s, pair, result);
     to_present_areas(s, pair, result);
+    fill_between(s, pair, result);
     return result;
   }
 

@@ -64,13 +64,22 @@ namespace Signorini
                                      scalars,
                                      gauss_rules_of_faces(elements, 2),
                                      update_quadrature_points | update_JxW_values);
+    std::vector<ReferenceCell>  shapes;
+    for (const auto &fe : elements)
+      shapes.push_back(fe.reference_cell());
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
           if (const auto found = by_boundary.find(cell->face(f)->boundary_id());
               cell->face(f)->at_boundary() && found != by_boundary.end())
             {
-              all_values.reinit(cell, f, 0, 0, 0);
+              // Elements of one shape differ by their degree, which resultants do not depend on.
+              const unsigned int of_shape =
+                std::find_if(shapes.begin(),
+                             shapes.end(),
+                             [&](const auto &shape) { return shape == cell->reference_cell(); }) -
+                shapes.begin();
+              all_values.reinit(cell, f, of_shape, 0, of_shape);
               const FEFaceValues<dim> &values = all_values.get_present_fe_values();
               for (const unsigned int q : values.quadrature_point_indices())
                 for (const Load<dim> *load : found->second)

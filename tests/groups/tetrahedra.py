@@ -2,9 +2,11 @@
 """Bodies whose tetrahedra are kept: scenes of other groups, whose boxes are replaced by files of tetrahedra."""
 
 import itertools
+import re
 from dataclasses import dataclass
 
-from case import SCENES, Case
+from case import SCENES, Case, number
+from convergence import rate_of
 from patch import EXACT, SWAPPED, uniform
 from triangles import METHODS, values_of, with_triangles
 
@@ -83,3 +85,51 @@ def cases():
                 if bodies:
                     yield Case("tetrahedra/patch", f"order-{order}/{where}/{name}-swapped",
                                patch(order, bodies, sets + degree + SWAPPED, ranks, name == "penalty"), ranks)
+    yield from orders()
+
+
+DEPTH = 0.5  # of extruded() models
+
+
+def extruded(test, scene, order, n):
+    """A plane model of a unit square on a plane, as a slab of tetrahedra between planes of symmetry."""
+    text = (SCENES / f"{scene}.prm").read_text()
+    grid = Grid((n, n, max(1, n // 2)), lambda x, y, z: (x, y, DEPTH * z), order,
+                ("left", "right", "bottom", "top", "front", "back"))
+    test.write(f"{scene}-{n}.inp", grid.text())
+    for old, new in (("Dimension = 2", "Dimension = 3"), ("    set Point  = 0, 0\n", ""), ("= 0, 1\n", "= 0, 1, 0\n"),
+                     (r" *set (Corners|Subdivisions) .*\n", ""),
+                     ("  subsection square\n", f"  subsection square\n    set Mesh = file\n    set File = {scene}-{n}.inp\n"
+                                               "    set Cells = as in file\n"),
+                     ("set Names = rim\n", "set Names = rim, sides\n  subsection sides\n    set Type = symmetry\n"
+                                           "    set Boundaries = square.front, square.back\n  end\n"),
+                     (r"((?:Displacement|Body force) *= (?:.*\\\n)?.*)", r"\1; 0"),
+                     (r" *set (Refinements|Degree) .*\n", ""), (r"(?s)subsection Expected results.*", "")):
+        text = re.sub(old, new, text)
+    return test.write(f"{scene}-{order}-{n}.prm", text)
+
+
+def orders():
+    """The orders of hexahedra, see polynomials() of convergence.py."""
+    for order, scene, quantity, least in ((1, "polynomial", "energy", 0.9), (1, "polynomial", "displacement", 1.8),
+                                          (1, "polynomial", "pressure", 0.9), (2, "polynomial-smooth", "energy", 1.9),
+                                          (2, "polynomial-smooth", "displacement", 2.8),
+                                          (2, "polynomial-smooth", "pressure", 1.4)):
+        for name in ("multiplier", "nitsche"):
+            yield Case(f"tetrahedra/{scene}-{order}", f"{quantity}/{name}", labels={"full"}, body=converges(
+                lambda test, n, scene=scene, order=order: extruded(test, scene, order, n), (4, 8, 16),
+                f"errors/{quantity}", least, sets=METHODS[name]))
+
+
+def converges(model, sizes, quantity, least, reference=None, sets=()):
+    """The last order of convergence of an error, over meshes with 1/size."""
+    def body(test):
+        errors = []
+        for n in sizes:
+            found = number(test.results(model(test, n), sets), quantity)
+            errors.append(abs(found) if reference is None else abs(found / reference - 1))
+            test.print(f"{n:5g} {found:16.9g} {errors[-1]:12.2e}")
+        rate = rate_of(sizes, errors, key="factor")
+        test.print(f"rate {rate:.2f}")
+        test.check(rate >= least, f"the last rate is {rate:.2f}, at least {least:g} is wanted")
+    return body

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace Signorini
 {
@@ -171,6 +173,87 @@ namespace Signorini
         }
       return nodes;
     }
+    /// The nodes that carry the pressure of faces none of whose own nodes can: those of the faces
+    /// beside, in equal parts. Such faces are the rule in corners of meshes of triangles, whose
+    /// cells have all their corners on the edges of the surface.
+    template <int dim>
+    class CarriersBeside
+    {
+    public:
+      /// @param ids those of the slave
+      CarriersBeside(const Elasticity<dim> &elasticity,
+                     const NodeIndices     &elsewhere,
+                     const BoundaryIds     &ids)
+        : elasticity(elasticity)
+        , elsewhere(elsewhere)
+        , ids(ids)
+      {}
+
+      /// @return the functions of the carriers; none if there are none
+      SparseRow
+      of(const CellIterator<dim> &cell, const unsigned int face, const FacePatch<dim> &patch)
+      {
+        if (faces_at.empty())
+          find_faces();
+        const auto             own = vertices_of(cell, face);
+        std::set<unsigned int> seen;
+        NodeIndices            carriers;
+        for (const unsigned int v : own)
+          for (const unsigned int f : faces_at[v])
+            if (seen.insert(f).second)
+              {
+                const auto &[other, of_other] = faces[f];
+                const auto vertices           = vertices_of(other, of_other);
+                const auto n_common =
+                  std::count_if(vertices.begin(), vertices.end(), [&](const unsigned int i) {
+                    return own.count(i) > 0;
+                  });
+                if (n_common != dim - 1)
+                  continue;
+                for (const FaceNode &node : face_nodes(elasticity, other, of_other, patch))
+                  if (!node.prescribed && node.share > 0 && elsewhere.count(node.index) == 0 &&
+                      !elasticity.hanging_nodes().is_constrained(node.index))
+                    carriers.insert(node.index);
+              }
+        SparseRow result;
+        for (const auto node : carriers)
+          result.emplace_back(node, 1. / carriers.size());
+        return result;
+      }
+
+    private:
+      using Vertices = std::set<unsigned int>;
+
+      static Vertices
+      vertices_of(const CellIterator<dim> &cell, const unsigned int face)
+      {
+        Vertices result;
+        for (const unsigned int v : cell->face(face)->vertex_indices())
+          result.insert(cell->face(face)->vertex_index(v));
+        return result;
+      }
+
+      /// List the faces of the slave on this rank and on ghost cells.
+      void
+      find_faces()
+      {
+        for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+          if (!cell->is_artificial() && cell->at_boundary())
+            for (const unsigned int f : cell->face_indices())
+              if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
+                {
+                  for (const unsigned int v : vertices_of(cell, f))
+                    faces_at[v].push_back(faces.size());
+                  faces.emplace_back(cell, f);
+                }
+      }
+
+      const Elasticity<dim>                                  &elasticity;
+      const NodeIndices                                      &elsewhere;
+      const BoundaryIds                                      &ids;
+      std::vector<std::pair<CellIterator<dim>, unsigned int>> faces;
+      std::map<unsigned int, std::vector<unsigned int>>       faces_at; ///< vertices
+    };
   } // namespace
 
 
@@ -181,8 +264,9 @@ namespace Signorini
   std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<dim>               &elasticity,
                          const ContactMethod                 &method,
-                         const Basis                          kind,
+                         const Basis                          wanted,
                          const BoundaryFaces<dim>            &slave,
+                         const BoundaryIds                   &ids,
                          const NodeIndices                   &elsewhere,
                          const std::vector<PairedPoint<dim>> &paired_points,
                          const std::vector<PairedPoint<dim>> &paired_edge_points,
@@ -199,6 +283,7 @@ namespace Signorini
     std::vector<double>        weights;
     auto                       edge_point = paired_edge_points.begin();
     std::vector<PressureNodes> result(slave.faces.size());
+    CarriersBeside<dim>        beside(elasticity, elsewhere, ids);
     // Points are sorted by faces; the basis is constructed once for each of them.
     for (unsigned int first = 0, last = 0; first < points.size(); first = last)
       {
@@ -232,7 +317,13 @@ namespace Signorini
                                            cell->get_fe().degree,
                                            patch,
                                            all_prescribed && !must_balance);
-        const double        area = area_of(slave.rest[points[first].face], elasticity.model());
+        // On triangles of degree 2 the dual functions of the linear ones would contain constant
+        // pressures only, and half an order of convergence would be lost.
+        const bool   is_linear = std::any_of(nodes.begin(), nodes.end(), [](const FaceNode &node) {
+          return node.share == 0;
+        });
+        const Basis  kind      = is_linear ? Basis::standard : wanted;
+        const double area      = area_of(slave.rest[points[first].face], elasticity.model());
         const PressureBasis basis(nodes, shapes, weights, area, kind);
         // The basis in which pressures are evaluated for the output is the standard one also where
         // the dual basis is used.
@@ -242,6 +333,10 @@ namespace Signorini
         for (const FaceNode &node : nodes)
           if (basis.has(node.index))
             of_face.own.push_back(node.index);
+        const SparseRow of_others =
+          of_face.own.empty() ? beside.of(cell, face, patch) : SparseRow();
+        for (const auto &[node, value] : of_others)
+          of_face.own.push_back(node);
         // Segment edge points of the same face have the same functions.
         edge_point = std::find_if(edge_point, paired_edge_points.end(), [&](const auto &paired) {
           return paired.face >= points[first].face;
@@ -251,11 +346,17 @@ namespace Signorini
           {
             SparseRow &shape =
               edge_points[edge_point - paired_edge_points.begin()].multiplier_shape;
+            shape = of_others;
+            if (!shape.empty())
+              continue;
             shape = basis.at(trace.unresolved_shape(edge_point->xi));
             hanging.condense(shape);
           }
         for (unsigned int q = first; q < last; ++q)
           {
+            points[q].multiplier_shape = of_others;
+            if (!of_others.empty())
+              continue;
             points[q].multiplier_shape = basis.at(shapes[q - first]);
             hanging.condense(points[q].multiplier_shape);
             if (kind == Basis::standard)
@@ -316,6 +417,7 @@ namespace Signorini
                          const ContactMethod &,
                          Basis,
                          const BoundaryFaces<2> &,
+                         const BoundaryIds &,
                          const NodeIndices &,
                          const std::vector<PairedPoint<2>> &,
                          const std::vector<PairedPoint<2>> &,
@@ -326,6 +428,7 @@ namespace Signorini
                          const ContactMethod &,
                          Basis,
                          const BoundaryFaces<3> &,
+                         const BoundaryIds &,
                          const NodeIndices &,
                          const std::vector<PairedPoint<3>> &,
                          const std::vector<PairedPoint<3>> &,

@@ -42,6 +42,8 @@ namespace Signorini
   /// pressure is an independent unknown, nodes whose normal displacement is prescribed or whose
   /// area the master hardly covers have no multipliers, and their neighbours take over, see
   /// PressureBasis.
+  /// @param ids those of the slave; a face none of whose nodes has a multiplier takes those of the
+  /// faces beside
   /// @param elsewhere first degrees of freedom of nodes that have multipliers of other pairs, and
   /// none here either, but where a face has no other nodes
   /// @param paired_points the paired points of `points`, in the same order, sorted by faces
@@ -55,6 +57,7 @@ namespace Signorini
                          const ContactMethod                 &method,
                          Basis                                basis,
                          const BoundaryFaces<dim>            &slave,
+                         const BoundaryIds                   &ids,
                          const NodeIndices                   &elsewhere,
                          const std::vector<PairedPoint<dim>> &paired_points,
                          const std::vector<PairedPoint<dim>> &paired_edge_points,

@@ -327,6 +327,7 @@ namespace Signorini
                                  method,
                                  integration.basis,
                                  slave,
+                                 elasticity.mesh().boundary_ids(pair.slave),
                                  nodes_of_boundaries(elasticity, pair.contact_slaves),
                                  paired,
                                  edge_points,

@@ -2,6 +2,7 @@
 #include "contact/search/segments.h"
 #include "geometry/face_parameter.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -51,6 +52,47 @@ namespace Signorini
         return cross_product_3d(facet.axes[0], facet.axes[1]);
     }
   } // namespace
+
+
+
+  template <int dim>
+  Point<dim - 1>
+  Facet<dim>::parameter_of_face(const ReferenceCell &shape, const Point<dim - 1> &s) const
+  {
+    Point<dim - 1> xi = origin;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      xi += s[d] * edges[d];
+    return nearest_in_cell<dim - 1>(shape, xi);
+  }
+
+
+
+  template <int dim>
+  std::optional<unsigned int>
+  Facet<dim>::side_of_face(const ReferenceCell &shape, const unsigned int side) const
+  {
+    constexpr double rounding = 1e-9; // of parameters
+    if constexpr (dim == 2)
+      {
+        // Side 0 or 1 of a line is where its parameter is that.
+        if (std::abs(origin[0] + side * edges[0][0] - side) < rounding)
+          return side;
+      }
+    else
+      for (unsigned int of_face = 0; of_face < shape.n_faces(); ++of_face)
+        {
+          const auto         ends      = ends_of_side<dim>(shape, of_face);
+          const Tensor<1, 2> way       = ends[1] - ends[0];
+          const auto         is_beside = [&](const Point<2> &s) {
+            const Tensor<1, 2> arm = (origin + s[0] * edges[0] + s[1] * edges[1]) - ends[0];
+            return std::abs(way[0] * arm[1] - way[1] * arm[0]) > rounding;
+          };
+          const auto of_facet = ends_of_side<dim>(shape, side);
+          if (std::none_of(of_facet.begin(), of_facet.end(), is_beside))
+            return of_face;
+        }
+    return {};
+  }
 
 
 
@@ -114,6 +156,8 @@ namespace Signorini
 
 
 
+  template struct Facet<2>;
+  template struct Facet<3>;
   template struct FacetedFace<2>;
   template struct FacetedFace<3>;
 } // namespace Signorini

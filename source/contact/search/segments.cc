@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/segments.h"
 
-#include "geometry/face_parameter.h"
-
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 
@@ -362,47 +360,6 @@ namespace Signorini
       return pieces;
     }
 
-    constexpr double on_side = 1e-9; ///< distance in parameters that is rounding
-
-    /// The side of the face on which a side of one of its facets lies; -1 if it is inside.
-    template <int dim>
-    int
-    side_of_face(const ReferenceCell &shape, const Facet<dim> &facet, const unsigned int side)
-    {
-      if constexpr (dim == 2)
-        return std::abs(facet.origin[0] + side * facet.edges[0][0] - side) < on_side ? int(side) :
-                                                                                       none;
-      else
-        {
-          const auto at = [&](const Point<2> &s) {
-            return facet.origin + s[0] * facet.edges[0] + s[1] * facet.edges[1];
-          };
-          for (unsigned int of_face = 0; of_face < shape.n_faces(); ++of_face)
-            {
-              const auto   ends = ends_of_side<3>(shape, of_face);
-              const auto   way  = ends[1] - ends[0];
-              unsigned int n    = 0;
-              for (const Point<2> &end : ends_of_side<3>(shape, side))
-                n += std::abs(cross(way, at(end) - ends[0])) < on_side;
-              if (n == 2)
-                return of_face;
-            }
-          return none;
-        }
-    }
-
-    /// The parameter of a face from that of one of its facets, moved to the face, since rounding
-    /// may lead outside.
-    template <int dim>
-    Point<dim - 1>
-    of_face(const ReferenceCell &shape, const Facet<dim> &facet, const Point<dim - 1> &s)
-    {
-      Point<dim - 1> xi = facet.origin;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        xi += s[d] * facet.edges[d];
-      return nearest_in_cell<dim - 1>(shape, xi);
-    }
-
     /// A facet of the slave and one of the master, projected onto the plane of the former.
     template <int dim>
     struct FacetPair
@@ -418,9 +375,10 @@ namespace Signorini
       at(const Point<dim - 1> &y, const double measure) const
       {
         const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
-        const Point<dim - 1> xi  = of_face(slave.reference_cell(), ours, s);
+        const Point<dim - 1> xi  = ours.parameter_of_face(slave.reference_cell(), s);
         return {xi,
-                of_face(master.reference_cell(), theirs, invert<dim - 1>(theirs_flat, y).first),
+                theirs.parameter_of_face(master.reference_cell(),
+                                         invert<dim - 1>(theirs_flat, y).first),
                 measure / jacobian / Utilities::fixed_power<dim - 1>(double(slave.get_degree())) *
                   slave.jacobian(xi)};
       }
@@ -475,14 +433,14 @@ namespace Signorini
     for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
       for (const Piece<dim - 1> &piece : common_sides(pair.ours_flat, pair.theirs_flat, n_points))
         {
-          const int side = side_of_face(pair.master.reference_cell(), pair.theirs, piece.side);
-          if (side == none)
+          const auto side = pair.theirs.side_of_face(pair.master.reference_cell(), piece.side);
+          if (!side)
             continue;
           Tensor<1, dim> outward;
           for (unsigned int d = 0; d < dim - 1; ++d)
             outward += piece.outward[d] * pair.ours.axes[d];
           for (const auto &[y, length] : piece.points)
-            result.push_back({pair.at(y, length), outward, unsigned(side)});
+            result.push_back({pair.at(y, length), outward, *side});
         }
     });
     return result;

@@ -6,6 +6,7 @@
 #include <deal.II/base/quadrature.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -40,6 +41,16 @@ namespace Signorini
     std::array<dealii::Tensor<1, dim - 1>, dim - 1> edges;
     dealii::Point<dim>                              center;
     std::array<dealii::Tensor<1, dim>, dim - 1>     axes; ///< orthonormal, in its mean plane
+
+    /// The parameter of the face from that of the facet, moved into the face, since rounding may
+    /// lead outside. @param shape reference cell of the face; @param s parameter of the facet
+    dealii::Point<dim - 1>
+    parameter_of_face(const dealii::ReferenceCell &shape, const dealii::Point<dim - 1> &s) const;
+
+    /// The side of the face on which a side of the facet lies; none if that is inside. Both are
+    /// numbered as in ends_of_side().
+    std::optional<unsigned int>
+    side_of_face(const dealii::ReferenceCell &shape, unsigned int side) const;
   };
 
   /// A face with its multilinear facets, computed once for all segments of the face.
