@@ -133,13 +133,15 @@ namespace Signorini
   std::vector<unsigned int>
   nearest_free(const SlaveFace<dim> &face, const unsigned int dirichlet_node)
   {
-    const auto                lattice = face_lattice<dim>(face.reference_cell(), face.degree);
+    const auto                shape   = face.reference_cell();
+    const auto                lattice = face_lattice<dim>(shape, face.degree);
+    const auto place = [&](const unsigned int i) { return isotropic_coordinates(shape, lattice[i]); };
     double                    least   = std::numeric_limits<double>::max();
     std::vector<unsigned int> result;
     for (unsigned int i = 0; i < face.nodes.size(); ++i)
       if (!face.without_pressure[i])
         {
-          const double distance = lattice[i].distance_square(lattice[dirichlet_node]);
+          const double distance = place(i).distance_square(place(dirichlet_node));
           if (distance < least - 1e-10)
             result.clear();
           if (distance < least + 1e-10)

@@ -153,6 +153,24 @@ namespace Signorini
     return cell.face_reference_cell(0);
   }
 
+  /// @return coordinates on the face in which distances do not depend on the numbering of vertices:
+  /// the parameters, or on triangles those of an equilateral one.
+  /// @param shape reference cell of the face
+  /// @param xi parameter
+  template <int n>
+  dealii::Point<n>
+  isotropic_coordinates(const dealii::ReferenceCell &shape, const dealii::Point<n> &xi)
+  {
+    dealii::Point<n> result = xi;
+    if constexpr (n == 2)
+      if (is_triangle(shape))
+        {
+          result[0] += xi[1] / 2;
+          result[1] *= 0.866025403784438647; // sqrt(3)/2
+        }
+    return result;
+  }
+
   /// @return the parameters of the two ends of a side of a face in space. Sides are numbered as
   /// the faces of its reference cell: on quadrilaterals side 2 d + (0 or 1) is that where the
   /// parameter d is 0 or 1, on triangles sides follow the vertices around.

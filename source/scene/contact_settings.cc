@@ -70,7 +70,7 @@ namespace Signorini
       pressure_basis,
       {{"dual", Basis::dual}, {"standard", Basis::standard}},
       "of mortar methods: dual: multiplier functions biorthogonal to the displacement shape functions (fewest Newton "
-      "steps); standard: the displacement shape functions; faces of tetrahedra of degree 2 have linear ones always");
+      "steps); standard: the displacement shape functions");
     section.add_choice(
       "Contact geometry",
       geometry,

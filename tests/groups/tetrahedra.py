@@ -20,6 +20,15 @@ class Grid:
     at: callable  # of a point in [0, 1]^3
     order: int = 2
     names: tuple = ("left", "right", "front", "back", "bottom", "top")
+    is_straight: bool = False  # nodes between corners are in the middle of straight edges
+
+    def place(self, node):
+        def image(node):
+            return self.at(*(node[k] / self.order / self.n[k] for k in range(3)))
+        if not self.is_straight or self.order == 1:
+            return image(node)
+        ends = (image([c + sign * (c % 2) for c in node]) for sign in (-1, 1))
+        return tuple((a + b) / 2 for a, b in zip(*ends))
 
     def text(self):
         m, numbers, elements = self.order, {}, []
@@ -37,8 +46,7 @@ class Grid:
                 elements.append([numbers.setdefault(node, len(numbers) + 1) for node in nodes])
         lines = ["*NODE"]
         for node, number in numbers.items():
-            place = self.at(*(node[k] / m / self.n[k] for k in range(3)))
-            lines.append(f"{number}, " + ", ".join(map(repr, place)))
+            lines.append(f"{number}, " + ", ".join(map(repr, self.place(node))))
         lines.append(f"*ELEMENT, TYPE={'C3D4' if m == 1 else 'C3D10'}, ELSET=ALL")
         lines += [f"{e + 1}, " + ", ".join(map(str, nodes)) for e, nodes in enumerate(elements)]
         ends = ((axis, end) for axis in range(3) for end in (0, m * self.n[axis]))

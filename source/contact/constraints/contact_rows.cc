@@ -175,8 +175,11 @@ namespace Signorini
     complete_places(const SlaveFace<dim> &face, std::vector<SurfacePlace> &places)
     {
       const std::vector<SurfacePlace> known  = places;
-      const auto                      square = [](const SurfacePoint &a, const SurfacePoint &b) {
-        return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+      const auto                      square = [&](const SurfacePoint &a, const SurfacePoint &b) {
+        const auto at = [&](const SurfacePoint &x) {
+          return isotropic_coordinates(face.reference_cell(), Point<2>(x[0], x[1]));
+        };
+        return at(a).distance_square(at(b));
       };
       for (unsigned int k = 0; k < places.size(); ++k)
         {

@@ -86,7 +86,7 @@ namespace Signorini
       return result;
     }
 
-    /// Square of the distance in the parameters of the face.
+    /// Square of the distance in isotropic_coordinates() of the face.
     double
     distance2(const FaceNode &a, const FaceNode &b)
     {

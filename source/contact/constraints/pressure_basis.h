@@ -13,7 +13,7 @@ namespace Signorini
   struct FaceNode
   {
     dealii::types::global_dof_index index;      ///< first degree of freedom
-    std::array<double, 2>           xi;         ///< parameters on the face; 2D: the first alone
+    std::array<double, 2>           xi;         ///< isotropic_coordinates(); 2D: the first alone
     bool                            prescribed; ///< its displacement along the normal is prescribed
     /// Share of the area of the whole face that the integral of its function has; zero: it has no
     /// pressure of its own, and its function is added to those of the nearest nodes that have.

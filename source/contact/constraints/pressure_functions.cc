@@ -165,8 +165,9 @@ namespace Signorini
           const auto xi = face_parameter<dim>(fe.reference_cell(),
                                               face,
                                               fe.base_element(0).unit_support_point(i));
+          const auto place = isotropic_coordinates(shape_of_faces(fe.reference_cell()), xi);
           for (unsigned int d = 0; d < dim - 1; ++d)
-            node.xi[d] = xi[d];
+            node.xi[d] = place[d];
           node.share = share_of_node<dim - 1>(shape_of_faces(fe.reference_cell()), fe.degree, xi);
           node.prescribed = !carries_pressure(elasticity, node.index, fe.degree, patch, xi);
           nodes.push_back(node);
@@ -264,7 +265,7 @@ namespace Signorini
   std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<dim>               &elasticity,
                          const ContactMethod                 &method,
-                         const Basis                          wanted,
+                         const Basis                          kind,
                          const BoundaryFaces<dim>            &slave,
                          const BoundaryIds                   &ids,
                          const NodeIndices                   &elsewhere,
@@ -317,13 +318,7 @@ namespace Signorini
                                            cell->get_fe().degree,
                                            patch,
                                            all_prescribed && !must_balance);
-        // On triangles of degree 2 the dual functions of the linear ones would contain constant
-        // pressures only, and half an order of convergence would be lost.
-        const bool   is_linear = std::any_of(nodes.begin(), nodes.end(), [](const FaceNode &node) {
-          return node.share == 0;
-        });
-        const Basis  kind      = is_linear ? Basis::standard : wanted;
-        const double area      = area_of(slave.rest[points[first].face], elasticity.model());
+        const double area = area_of(slave.rest[points[first].face], elasticity.model());
         const PressureBasis basis(nodes, shapes, weights, area, kind);
         // The basis in which pressures are evaluated for the output is the standard one also where
         // the dual basis is used.
