@@ -133,10 +133,12 @@ namespace Signorini
   std::vector<unsigned int>
   nearest_free(const SlaveFace<dim> &face, const unsigned int dirichlet_node)
   {
-    const auto                shape   = face.reference_cell();
-    const auto                lattice = face_lattice<dim>(shape, face.degree);
-    const auto place = [&](const unsigned int i) { return isotropic_coordinates(shape, lattice[i]); };
-    double                    least   = std::numeric_limits<double>::max();
+    const auto shape   = face.reference_cell();
+    const auto lattice = face_lattice<dim>(shape, face.degree);
+    const auto place   = [&](const unsigned int i) {
+      return isotropic_coordinates(shape, lattice[i]);
+    };
+    double                    least = std::numeric_limits<double>::max();
     std::vector<unsigned int> result;
     for (unsigned int i = 0; i < face.nodes.size(); ++i)
       if (!face.without_pressure[i])

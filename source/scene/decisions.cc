@@ -85,6 +85,42 @@ namespace Signorini
 
 
 
+  // Refinement concerns all bodies, also those beside the one that is refined.
+  template <int dim>
+  std::string
+  Decisions<dim>::needs_hypercubes(const Scene<dim> &scene, const Body<dim> &body)
+  {
+    if (scene.goals.has_targets())
+      return "Accuracy/Target error";
+    if (scene.maximum_cycles() > 0)
+      return "Accuracy/Refinement cycles";
+    if (scene.mesh.refinements > 0 || scene.mesh.contact_refinements > 0 ||
+        !scene.mesh.refinement_regions.empty())
+      return "the refinement in Mesh";
+    for (const Body<dim> &other : scene.bodies)
+      if (other.mesh.refinements > 0)
+        return "Bodies/" + other.name + "/Refinements";
+    if (scene.mesh.distribution == Distribution::p4est)
+      return "Mesh/Distribution = p4est";
+    if (scene.solver.stiffness_form == StiffnessForm::matrix_free)
+      return "Solver/Operator = matrix-free";
+    if (body.degree == 1 || (body.degree == 0 && scene.degree_is_set && scene.degree == 1))
+      return "Degree = 1";
+    for (const Material *material : body.materials())
+      {
+        if (material->constitutive_law && material->constitutive_law->n_internal() > 0)
+          return "Law = " + material->law;
+        if (material->formulation == Formulation::mixed ||
+            (material->formulation == Formulation::automatic &&
+             material->poissons_ratio >= nearly_incompressible &&
+             model_of(scene.model) != Model::plane_stress))
+          return "the mixed formulation";
+      }
+    return {};
+  }
+
+
+
   // For "auto", the method follows from the measurements of doc/benchmarks/accuracy.md: with
   // multipliers there is no parameter and no penetration, at the same cost as other methods.
   // Degrees are chosen body by body.

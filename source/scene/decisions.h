@@ -19,6 +19,14 @@ namespace Signorini
     /// @param scene to which the object refers
     explicit Decisions(const Scene<dim> &scene);
 
+    /// @return what a body needs quadrilaterals or hexahedra for, as the words of a message; empty:
+    /// nothing, so that triangles and tetrahedra of its file may be kept. It is decided before
+    /// files are read.
+    /// @param scene whose keys have been read
+    /// @param body of the scene
+    static std::string
+    needs_hypercubes(const Scene<dim> &scene, const Body<dim> &body);
+
     const Scene<dim> &scene;
 
     /// The pairs of the scene, with slave and master as they were chosen; empty while they are

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/decisions.h"
 #include "scene/descriptions.h"
 #include "scene/skipped_items.h"
 #include <signorini/base/scene_error.h>
@@ -272,7 +273,7 @@ namespace Signorini
           notes.push_back(note);
     };
     for (Body<dim> &body : bodies)
-      add(body.mesh.generator->read_file(folder));
+      add(body.mesh.generator->read_file(folder, Decisions<dim>::needs_hypercubes(*this, body)));
     for (Obstacle<dim> &obstacle : obstacles)
       obstacle.shape->read_file(folder);
   }

@@ -157,7 +157,7 @@ namespace Fuzz
       BodyMesh<dim> body;
       body.declare(section);
       section.close();
-      body.generator->read_file("");
+      body.generator->read_file("", "");
       const CoarseMesh<dim> coarse = body.generator->generate();
       for (const std::string &name : body.generator->node_sets())
         body.generator->node_set(name);

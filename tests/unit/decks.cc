@@ -281,7 +281,7 @@ TEST_CASE("a force on each node of a set is not one on nodes that divided cells 
         raw.set_value("Part", part, "test");
         Section section(raw);
         body.declare(section);
-        body.generator->read_file("");
+        body.generator->read_file("", "the test");
         const Mesh<3>        mesh({{"block", body}}, {}, {}, MPI_COMM_WORLD);
         std::vector<Load<3>> loads(1);
         loads[0].nodes.sets                             = {"block." + set};

@@ -38,7 +38,7 @@ namespace MeshTests
     auto    result = MeshGenerator<dim>::create(name);
     result->declare(section);
     section.close();
-    result->read_file(folder);
+    result->read_file(folder, "the test");
     return result;
   }
 

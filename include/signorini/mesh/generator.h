@@ -26,9 +26,12 @@ namespace Signorini
 
     /// Read files, after declare() and before all other functions. Throws SceneError.
     /// @param folder in which files are looked for after the current one
+    /// @param needs_hypercubes what the scene asks for that triangles and tetrahedra do not have,
+    /// as the words of a message; empty: nothing
     /// @return messages for the user
     virtual std::vector<std::string>
-    read_file([[maybe_unused]] const std::string &folder)
+    read_file([[maybe_unused]] const std::string &folder,
+              [[maybe_unused]] const std::string &needs_hypercubes)
     {
       return {};
     }

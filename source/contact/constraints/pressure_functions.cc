@@ -162,7 +162,7 @@ namespace Signorini
       for (const unsigned int i : nodes_of_face(fe.base_element(0), face))
         {
           FaceNode   node{indices[fe.component_to_system_index(0, i)], {{0, 0}}, false, 1.};
-          const auto xi = face_parameter<dim>(fe.reference_cell(),
+          const auto xi    = face_parameter<dim>(fe.reference_cell(),
                                               face,
                                               fe.base_element(0).unit_support_point(i));
           const auto place = isotropic_coordinates(shape_of_faces(fe.reference_cell()), xi);
@@ -318,7 +318,7 @@ namespace Signorini
                                            cell->get_fe().degree,
                                            patch,
                                            all_prescribed && !must_balance);
-        const double area = area_of(slave.rest[points[first].face], elasticity.model());
+        const double        area = area_of(slave.rest[points[first].face], elasticity.model());
         const PressureBasis basis(nodes, shapes, weights, area, kind);
         // The basis in which pressures are evaluated for the output is the standard one also where
         // the dual basis is used.

@@ -260,16 +260,47 @@ namespace Signorini
 
 
 
+  // Simplices of first order lock, and lose an order against the hypercubes that they become.
+  template <int dim>
+  bool
+  FileMesh<dim>::keeps_simplices(const MeshFile                  &all,
+                                 const std::vector<unsigned int> &chosen,
+                                 const std::string               &needs_hypercubes,
+                                 std::vector<std::string>        &notes) const
+  {
+    if (cells == CellChoice::as_in_file)
+      return are_simplices(all, chosen, dim);
+    const auto are_second_order = [&](const unsigned int c) {
+      const MeshFile::Element &element = all.elements[c];
+      return element.shape == simplex_shape<dim> && element.nodes.size() > n_corners(element.shape);
+    };
+    if (cells == CellChoice::hypercubes || !mid_side_nodes ||
+        !std::all_of(chosen.begin(), chosen.end(), are_second_order))
+      return false;
+    const std::string simplices  = dim == 2 ? "triangles" : "tetrahedra",
+                      hypercubes = dim == 2 ? "quadrilaterals" : "hexahedra";
+    notes.push_back(needs_hypercubes.empty() ?
+                      "the " + simplices + " of second order are kept; Cells = " + hypercubes +
+                        " divides them" :
+                      "the " + simplices + " of second order are divided, as " + needs_hypercubes +
+                        " needs " + hypercubes);
+    return needs_hypercubes.empty();
+  }
+
+
+
   // Nodes that coincide must be merged before cells are divided, so that neighbours agree.
   template <int dim>
   FileSelection
-  FileMesh<dim>::divide(MeshFile &all, std::vector<std::string> &notes) const
+  FileMesh<dim>::divide(MeshFile                 &all,
+                        const std::string        &needs_hypercubes,
+                        std::vector<std::string> &notes) const
   {
     FileSelection                   result = selection;
-    const std::vector<unsigned int> cells  = cells_of_part(all, dim, selection.part);
-    recognise_collapsed_cells(all, cells);
-    const bool keeps_simplices = cells_as_in_file && are_simplices(all, cells, dim);
-    if (!keeps_simplices && !ChosenCells(all, dim, selection.part).any)
+    const std::vector<unsigned int> chosen = cells_of_part(all, dim, selection.part);
+    recognise_collapsed_cells(all, chosen);
+    const bool are_kept = keeps_simplices(all, chosen, needs_hypercubes, notes);
+    if (!are_kept && !ChosenCells(all, dim, selection.part).any)
       return result;
     if (selection.coinciding_nodes == CoincidingPoints::merge)
       {
@@ -277,8 +308,8 @@ namespace Signorini
         result.coinciding_nodes = CoincidingPoints::refuse;
         result.node_distance    = 0;
       }
-    append(keeps_simplices ? check_simplices(all, cells, dim) :
-                             divide_cells(all, dim, selection.part, mid_side_nodes),
+    append(are_kept ? check_simplices(all, chosen, dim) :
+                      divide_cells(all, dim, selection.part, mid_side_nodes),
            notes);
     return result;
   }
@@ -290,7 +321,7 @@ namespace Signorini
   // else reconstruction of surfaces. `key` is the key of the scene that an error refers to.
   template <int dim>
   std::vector<std::string>
-  FileMesh<dim>::read_file(const std::string &folder)
+  FileMesh<dim>::read_file(const std::string &folder, const std::string &needs_hypercubes)
   {
     const std::string path = find_beside_scene(file, folder);
     if (file_exists(path))
@@ -316,8 +347,8 @@ namespace Signorini
         key = "Boundaries";
         check_groups(all, selection.boundaries);
 
-        key                       = cells_as_in_file ? "Cells" : "File";
-        const FileSelection after = divide(all, notes);
+        key                       = cells == CellChoice::as_in_file ? "Cells" : "File";
+        const FileSelection after = divide(all, needs_hypercubes, notes);
         const FilePart<dim> part(all, after);
         append(part.notes, notes);
         key   = "File";

@@ -18,6 +18,15 @@ namespace Signorini
   std::string
   find_beside_scene(const std::string &file, const std::string &folder);
 
+  /// What becomes of cells that are not quadrilaterals or hexahedra: they are divided into these;
+  /// or kept; or kept if they are simplices of second order and nothing in the scene needs others.
+  enum class CellChoice
+  {
+    hypercubes,
+    as_in_file,
+    automatic
+  };
+
   /// A mesh file, or one part of it. Boundaries: the names that the file gives to faces of the
   /// part, and `unnamed`, or `unnamed1` and so on, for faces without.
   template <int dim>
@@ -30,7 +39,7 @@ namespace Signorini
     /// Read and check the file. Throws SceneError if its mesh cannot be used, or names of the scene
     /// are not in it.
     std::vector<std::string>
-    read_file(const std::string &folder) override;
+    read_file(const std::string &folder, const std::string &needs_hypercubes) override;
 
     std::vector<std::string>
     boundaries() const override
@@ -115,17 +124,33 @@ namespace Signorini
     void
     add_sets(MeshFile &all, std::string &key) const;
 
-    /// Divide cells that are not quadrilaterals or hexahedra.
+    /// @return whether the cells are triangles or tetrahedra that are kept. Throws SceneError if
+    /// all cells are to be kept, but cannot.
+    /// @param all the file
+    /// @param chosen numbers of the cells of the body
+    /// @param needs_hypercubes see read_file()
+    /// @param notes to which messages are appended
+    bool
+    keeps_simplices(const MeshFile                  &all,
+                    const std::vector<unsigned int> &chosen,
+                    const std::string               &needs_hypercubes,
+                    std::vector<std::string>        &notes) const;
+
+    /// Divide cells that are not quadrilaterals or hexahedra, unless they are kept.
     /// @param all the file, which is changed
+    /// @param needs_hypercubes see read_file()
     /// @param notes to which messages are appended
     /// @return the selection for the divided file
     FileSelection
-    divide(MeshFile &all, std::vector<std::string> &notes) const;
+    divide(MeshFile                 &all,
+           const std::string        &needs_hypercubes,
+           std::vector<std::string> &notes) const;
 
     std::string   file, curved_text = "automatic", temperature_field;
     std::string   node_set_text, face_set_text, cell_set_text;
     FileSelection selection;
-    bool          mid_side_nodes = true, cells_as_in_file = false;
+    CellChoice    cells          = CellChoice::automatic;
+    bool          mid_side_nodes = true;
     /// The order of the elements if they are simplices, otherwise 0.
     unsigned int order_of_simplices = 0;
     /// The surfaces that `curved_text` describes.

@@ -46,13 +46,20 @@ namespace Signorini
         "all cells");
     section.add_choice(
       "Cells",
-      cells_as_in_file,
-      {{dim == 2 ? "quadrilaterals" : "hexahedra", false}, {"as in file", true}},
+      cells,
+      {{"automatic", CellChoice::automatic},
+       {dim == 2 ? "quadrilaterals" : "hexahedra", CellChoice::hypercubes},
+       {"as in file", CellChoice::as_in_file}},
       dim == 2 ?
         "quadrilaterals: each triangle is divided into three quadrilaterals; as in file: triangles "
-        "are kept, with the degrees of freedom of the file and without refinement" :
+        "are kept, with the degrees of freedom of the file and without refinement; automatic: "
+        "triangles of second order are kept, unless the scene asks for adaptive or refined meshes, "
+        "the mixed formulation, internal variables, degree 1 or Operator = matrix-free" :
         "hexahedra: tetrahedra, wedges and pyramids are divided into hexahedra; as in file: "
-        "tetrahedra are kept, with the degrees of freedom of the file and without refinement");
+        "tetrahedra are kept, with the degrees of freedom of the file and without refinement; "
+        "automatic: tetrahedra of second order are kept, unless the scene asks for adaptive or "
+        "refined meshes, the mixed formulation, internal variables, degree 1 or Operator = "
+        "matrix-free");
     section.add("Boundaries",
                 selection.boundaries,
                 "names in the file that are boundaries, separated by commas; a face belongs to the "
