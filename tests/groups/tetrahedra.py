@@ -21,6 +21,7 @@ class Grid:
     order: int = 2
     names: tuple = ("left", "right", "front", "back", "bottom", "top")
     is_straight: bool = False  # nodes between corners are in the middle of straight edges
+    is_turned: bool = False  # elements begin with any of three corners in turn
 
     def place(self, node):
         def image(node):
@@ -39,6 +40,9 @@ class Grid:
                     corners.append(tuple(c + m * (d == axis) for d, c in enumerate(corners[-1])))
                 if way not in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
                     corners[1], corners[2] = corners[2], corners[1]
+                if self.is_turned:
+                    k = len(elements) % 3
+                    corners[:3] = corners[k:3] + corners[:k]
                 nodes = list(corners)
                 if m == 2:
                     nodes += [tuple((corners[a][k] + corners[b][k]) // 2 for k in range(3))
@@ -94,6 +98,88 @@ def cases():
                     yield Case("tetrahedra/patch", f"order-{order}/{where}/{name}-swapped",
                                patch(order, bodies, sets + degree + SWAPPED, ranks, name == "penalty"), ranks)
     yield from orders()
+    yield from scenes_with_tetrahedra()
+    for name in METHODS:
+        if name != "augmented":
+            yield Case("tetrahedra/hertz", name, hertz(METHODS[name]), labels={"full"})
+    yield Case("tetrahedra/numbering", "numbering", numbering)
+    yield Case("tetrahedra/cells", "automatic", automatic)
+    yield Case("tetrahedra/refusals", "refusals", refusals)
+
+
+def scenes_with_tetrahedra():
+    """Results that are exact on any mesh: ties, bonds, friction in corners whose faces have no free node, temperature, finite
+    strain, resultants."""
+    scenes = ("bond", "finite-punch", "finite-stack-3d", "free-turn", "friction-automatic", "friction-cycles", "friction-patch",
+              "friction-touch", "friction-turned", "layer-patch", "patch-overhang-3d", "resultants", "thermal-finite",
+              "thermal-patch-3d", "tied-patch")
+    for i, scene in enumerate(scenes):
+        for order in (1, 2):
+            ranks = 1 + (i + order) % 2
+            yield Case("tetrahedra/scenes", f"{scene}/order-{order}", same_expected(scene, order, ranks), ranks)
+
+
+def same_expected(scene, order, ranks):
+    def body(test):
+        results = test.results(with_tetrahedra(test, SCENES / f"{scene}.prm", order), [], ranks)
+        for name, one in results["expected"].items():
+            test.check(one["holds"], f"{name}: {one['value']:.9g} instead of {one['reference']:.9g}")
+    return body
+
+
+def graded(test, n, **options):
+    """The block of hertz-3d, finer towards the point of first contact: n / 2.5 faces across the radius of contact."""
+    def at(*s):
+        x, y, z = (10 * (0.25 * one + 0.75 * one ** 4) for one in (s[0], s[1], 1 - s[2]))
+        return x, y, -z
+    test.write(f"block-{n}.inp", Grid((n, n, n), at, 2, is_straight=True, **options).text())
+    text = (SCENES / "hertz-3d.prm").read_text()
+    for old, new in ((r" *set (Corners|Subdivisions|Grading) .*\n", ""), (r"(?s)subsection Mesh\n.*?\nend\n\n(?=subsection Exp)", ""),
+                     (r"set Mesh *= box", f"set Mesh = file\n    set File = block-{n}.inp")):
+        text = re.sub(old, new, text)
+    return test.write(f"hertz-{n}.prm", text)
+
+
+def hertz(sets):
+    """The largest pressure converges to that of Hertz for the force found."""
+    def body(test):
+        errors = []
+        for n in (10, 16):
+            one = test.results(graded(test, n), sets)["expected"]["largest pressure of Hertz"]
+            errors.append(abs(one["value"] / one["reference"] - 1))
+            test.print(f"{n:3} {errors[-1]:.2e}")
+        test.check(errors[0] <= 4e-2 and errors[1] <= 1e-2, f"errors {errors} instead of 4 % and 1 %")
+    return body
+
+
+def numbering(test):
+    """Elements that begin with other corners change nothing."""
+    first, second = (test.results(graded(test, 6, is_turned=turned), METHODS["multiplier"])["load_steps"][-1]["pairs"]["contact"]
+                     for turned in (False, True))
+    for name in ("max_pressure", "area"):
+        test.check(abs(first[name] / second[name] - 1) <= 1e-7, f"{name}: {first[name]:.9g} and {second[name]:.9g}")
+
+
+def automatic(test):
+    """Tetrahedra of second order are kept, unless something needs hexahedra."""
+    scene = graded(test, 2)
+    for sets, cells in (([], 48), (["Mesh/Degree=1"], 192), (["Mesh/Refinements=1"], 8 * 192), (["Bodies/block/Cells=hexahedra"], 192),
+                        (["Bodies/block/Mid-side nodes=no"], 192), (["Bodies/block/Poisson's ratio=0.49"], 192),
+                        (["Solver/Operator=matrix-free"], 192)):
+        results = test.results(scene, sets)
+        test.check(results["cells"] == cells, f"{sets}: {results['cells']} cells instead of {cells}")
+
+
+def refusals(test):
+    """What cannot be right ends with exit code 2 and a message that says why."""
+    scene = with_tetrahedra(test, SCENES / "patch-3d.prm", 2)
+    for sets, words in ((["Mesh/Refinements=1"], "no body beside such a one is refined"),
+                        (["Accuracy/Refinement cycles=1"], "tetrahedra are not refined"),
+                        (["Bodies/lower/Poisson's ratio=0.5"], "tetrahedra have no such form"),
+                        (["Solver/Operator=matrix-free"], "for hexahedra"),
+                        (["Bodies/lower/Transformation=x + 0.5*sin(0.7*pi*x); y; z"], "curved edges invert the cell")):
+        run = test.run(scene, sets)
+        test.check(run.code == 2 and words in run.err, f"{sets}: exit code {run.code}, {run.err}")
 
 
 DEPTH = 0.5  # of extruded() models
@@ -118,15 +204,20 @@ def extruded(test, scene, order, n):
 
 
 def orders():
-    """The orders of hexahedra, see polynomials() of convergence.py."""
-    for order, scene, quantity, least in ((1, "polynomial", "energy", 0.9), (1, "polynomial", "displacement", 1.8),
-                                          (1, "polynomial", "pressure", 0.9), (2, "polynomial-smooth", "energy", 1.9),
-                                          (2, "polynomial-smooth", "displacement", 2.8),
-                                          (2, "polynomial-smooth", "pressure", 1.4)):
-        for name in ("multiplier", "nitsche"):
-            yield Case(f"tetrahedra/{scene}-{order}", f"{quantity}/{name}", labels={"full"}, body=converges(
-                lambda test, n, scene=scene, order=order: extruded(test, scene, order, n), (4, 8, 16),
-                f"errors/{quantity}", least, sets=METHODS[name]))
+    """The orders of hexahedra, see polynomials() of convergence.py. On faces of degree 2 the pressure is of degree 1; its
+    dual functions contain constant pressures alone, which costs up to half an order. At the ends of the contact surface,
+    where nodes are prescribed, pressures are constant in one face, with an error of order 3/2 and of many times that of
+    the rest."""
+    standard = [*METHODS["multiplier"], "Contact method/Pressure basis=standard"]
+    methods = {"multiplier": METHODS["multiplier"], "standard": standard, "nitsche": METHODS["nitsche"]}
+    least = {"polynomial": {"energy": (0.9, 0.9, 0.9), "displacement": (1.8, 1.8, 1.8), "pressure": (0.9, 0.9, 0.9)},
+             "polynomial-smooth": {"energy": (1.8, 1.9, 1.9), "displacement": (2.6, 2.8, 2.8), "pressure": (1, 1, 1.8)}}
+    for order, scene in ((1, "polynomial"), (2, "polynomial-smooth")):
+        for quantity, rates in least[scene].items():
+            for (name, sets), rate in zip(methods.items(), rates):
+                yield Case(f"tetrahedra/{scene}-{order}", f"{quantity}/{name}", labels={"full"}, body=converges(
+                    lambda test, n, scene=scene, order=order: extruded(test, scene, order, n), (4, 8, 16),
+                    f"errors/{quantity}", rate, sets=sets))
 
 
 def converges(model, sizes, quantity, least, reference=None, sets=()):

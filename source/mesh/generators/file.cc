@@ -268,17 +268,26 @@ namespace Signorini
                                  const std::string               &needs_hypercubes,
                                  std::vector<std::string>        &notes) const
   {
-    if (cells == CellChoice::as_in_file)
-      return are_simplices(all, chosen, dim);
-    const auto are_second_order = [&](const unsigned int c) {
+    const std::string simplices  = dim == 2 ? "triangles" : "tetrahedra",
+                      hypercubes = dim == 2 ? "quadrilaterals" : "hexahedra";
+    const auto are_second_order  = [&](const unsigned int c) {
       const MeshFile::Element &element = all.elements[c];
       return element.shape == simplex_shape<dim> && element.nodes.size() > n_corners(element.shape);
     };
+    if (cells == CellChoice::as_in_file)
+      {
+        const bool are_kept = are_simplices(all, chosen, dim);
+        if (are_kept && !are_second_order(chosen.front()))
+          notes.push_back(
+            "the " + simplices +
+            " of first order are too stiff, in bending and where Poisson's ratio is above 0.4 "
+            "(locking): set Degree = 2, or Cells = " +
+            hypercubes);
+        return are_kept;
+      }
     if (cells == CellChoice::hypercubes || !mid_side_nodes ||
         !std::all_of(chosen.begin(), chosen.end(), are_second_order))
       return false;
-    const std::string simplices  = dim == 2 ? "triangles" : "tetrahedra",
-                      hypercubes = dim == 2 ? "quadrilaterals" : "hexahedra";
     notes.push_back(needs_hypercubes.empty() ?
                       "the " + simplices + " of second order are kept; Cells = " + hypercubes +
                         " divides them" :
