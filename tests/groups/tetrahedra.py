@@ -104,6 +104,7 @@ def cases():
             yield Case("tetrahedra/hertz", name, hertz(METHODS[name]), labels={"full"})
     yield Case("tetrahedra/numbering", "numbering", numbering)
     yield Case("tetrahedra/cells", "automatic", automatic)
+    yield Case("tetrahedra/locking", "locking", locking)
     yield Case("tetrahedra/refusals", "refusals", refusals)
 
 
@@ -168,6 +169,16 @@ def automatic(test):
                         (["Solver/Operator=matrix-free"], 192)):
         results = test.results(scene, sets)
         test.check(results["cells"] == cells, f"{sets}: {results['cells']} cells instead of {cells}")
+
+
+def locking(test):
+    """Nearly incompressible tetrahedra of first order lock, and the verdict says so; those of second order do not."""
+    for order, warns in ((1, True), (2, False)):
+        scene = with_tetrahedra(test, SCENES / "on-edges.prm", order)
+        results = test.results(scene, METHODS["multiplier"] + [f"Bodies/{body}/Poisson's ratio=0.45" for body in ("lower", "upper")])
+        check = [one for one in results["verdict"]["checks"] if one["check"] == "volumetric locking"]
+        test.print(f"order {order}: {check}")
+        test.check(any(one["outcome"] == "warned" for one in check) == warns, f"order {order}: {check}")
 
 
 def refusals(test):
