@@ -4,12 +4,12 @@
 #include "fields/nodal_fields.h"
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
+#include "solid/cell_displacement.h"
 #include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/hp/fe_values.h>
 
 #include <cmath>
 
@@ -71,27 +71,15 @@ namespace Signorini
                             const VectorExpression<dim> &exact,
                             SolutionErrors              &errors)
     {
-      const Elasticity<dim>           &elasticity = s.elasticity;
-      const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
-      hp::FEValues<dim>                all_values(elasticity.mesh().mappings(),
-                                   elasticity.finite_elements(),
-                                   gauss_rules(elasticity.finite_elements(), 3),
-                                   update_values | update_gradients | update_quadrature_points |
-                                     update_JxW_values);
-      const FEValuesExtractors::Vector displacement(0);
-      std::vector<Tensor<1, dim>>      u;
-      std::vector<Tensor<2, dim>>      grad_u;
-      Squares                          l2, energy;
+      const Elasticity<dim> &elasticity = s.elasticity;
+      const LA::Vector       ghosted    = elasticity.with_ghosts(s.displacement);
+      CellDisplacement<dim>  at(elasticity, ghosted, gauss_rules(elasticity.finite_elements(), 3));
+      Squares                l2, energy;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            const Material &material = elasticity.material(cell->material_id());
-            all_values.reinit(cell);
-            const FEValues<dim> &values = all_values.get_present_fe_values();
-            u.resize(values.n_quadrature_points);
-            grad_u.resize(u.size());
-            values[displacement].get_function_values(ghosted, u);
-            values[displacement].get_function_gradients(ghosted, grad_u);
+            const Material      &material = elasticity.material(cell->material_id());
+            const FEValues<dim> &values   = at.reinit(cell);
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 // Deviation and exact field at the point, in L2 and in energy.
@@ -103,8 +91,10 @@ namespace Signorini
                   const auto eps = strain(elasticity.model(), material, gradient, v, x);
                   return stress(material, eps) * eps;
                 };
-                l2.add(weight, (u[q] - wanted).norm_square(), wanted.norm_square());
-                energy.add(weight, density(grad_u[q] - grad, u[q] - wanted), density(grad, wanted));
+                l2.add(weight, (at.u[q] - wanted).norm_square(), wanted.norm_square());
+                energy.add(weight,
+                           density(at.gradient[q] - grad, at.u[q] - wanted),
+                           density(grad, wanted));
               }
           }
       errors.displacement = l2.relative(elasticity.mesh().communicator());

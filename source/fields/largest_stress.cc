@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/largest_stress.h"
 
+#include "solid/cell_displacement.h"
 #include "solid/scalar_elements.h"
 #include "solid/stress.h"
-
-#include <deal.II/hp/fe_values.h>
 
 #include <limits>
 
@@ -45,34 +44,23 @@ namespace Signorini
   std::vector<LargestStresses<dim>>
   largest_stresses(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
   {
-    const Mesh<dim>                 &mesh    = elasticity.mesh();
-    const LA::Vector                 ghosted = elasticity.with_ghosts(displacement);
-    hp::FEValues<dim>                all_values(mesh.mappings(),
-                                 elasticity.finite_elements(),
-                                 gauss_rules(elasticity.finite_elements(), 0),
-                                 update_values | update_gradients | update_quadrature_points);
-    const FEValuesExtractors::Vector v(0);
-    std::vector<Tensor<1, dim>>      u;
-    std::vector<Tensor<2, dim>>      gradients;
-    LargestStresses<dim>             least;
+    const Mesh<dim>      &mesh    = elasticity.mesh();
+    const LA::Vector      ghosted = elasticity.with_ghosts(displacement);
+    CellDisplacement<dim> at(elasticity, ghosted, gauss_rules(elasticity.finite_elements(), 0));
+    LargestStresses<dim>  least;
     for (auto *one : {&least.von_mises, &least.shear, &least.principal})
       one->value = -std::numeric_limits<double>::max();
     std::vector<LargestStresses<dim>> result(mesh.n_bodies(), least);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          all_values.reinit(cell, cell->active_fe_index(), 0, cell->active_fe_index());
-          const FEValues<dim> &values = all_values.get_present_fe_values();
-          u.resize(values.n_quadrature_points);
-          gradients.resize(u.size());
-          values[v].get_function_values(ghosted, u);
-          values[v].get_function_gradients(ghosted, gradients);
+          const FEValues<dim> &values = at.reinit(cell);
           // Stresses of each point are compared with the largest ones of its body.
           LargestStresses<dim> &largest = result[mesh.body(cell)];
           for (const unsigned int q : values.quadrature_point_indices())
             {
               const Point<dim> &x         = values.quadrature_point(q);
-              const auto        sigma     = elasticity.stress(*cell, gradients[q], u[q], x);
+              const auto        sigma     = elasticity.stress(*cell, at.gradient[q], at.u[q], x);
               const auto        principal = eigenvalues(sigma); // the largest first
               update_largest(largest.von_mises, von_mises(sigma), x);
               update_largest(largest.shear, (principal[0] - principal[2]) / 2, x);

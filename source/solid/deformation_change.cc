@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/deformation_change.h"
 
+#include "solid/cell_displacement.h"
 #include "solid/deformation.h"
 #include "solid/scalar_elements.h"
-
-#include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,44 +59,32 @@ namespace Signorini
                      const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
                      const LA::Vector                                          &u)
   {
-    const Mesh<dim>                 &mesh    = elasticity.mesh();
-    const LA::Vector                 ghosted = elasticity.with_ghosts(u);
-    hp::FEValues<dim>                all_values(mesh.mappings(),
-                                 elasticity.finite_elements(),
-                                 gauss_rules(elasticity.finite_elements(), 1),
-                                 update_values | update_gradients | update_quadrature_points |
-                                   update_JxW_values);
-    const FEValuesExtractors::Vector displacement(0);
-    std::vector<Tensor<1, dim>>      values;
-    std::vector<Tensor<2, dim>>      gradients;
-    DeformationChange                change;
-    Work                             sum;
+    const Mesh<dim>      &mesh    = elasticity.mesh();
+    const LA::Vector      ghosted = elasticity.with_ghosts(u);
+    CellDisplacement<dim> at(elasticity, ghosted, gauss_rules(elasticity.finite_elements(), 1));
+    DeformationChange     change;
+    Work                  sum;
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          all_values.reinit(cell);
-          const FEValues<dim> &fe = all_values.get_present_fe_values();
-          values.resize(fe.n_quadrature_points);
-          gradients.resize(fe.n_quadrature_points);
-          fe[displacement].get_function_values(ghosted, values);
-          fe[displacement].get_function_gradients(ghosted, gradients);
+          const FEValues<dim> &fe = at.reinit(cell);
           for (const unsigned int q : fe.quadrature_point_indices())
             {
               const Point<dim> &x      = fe.quadrature_point(q);
               const double      weight = fe.JxW(q) * measure(elasticity.model(), x);
               const Work        work =
-                work_at(elasticity, *laws[cell->material_id()], *cell, gradients[q], values[q], x);
+                work_at(elasticity, *laws[cell->material_id()], *cell, at.gradient[q], at.u[q], x);
               sum.of_small += weight * work.of_small;
               sum.change += weight * work.change;
               // The norm of the antisymmetric part counts its components twice, hence the root of
               // two: in the plane the result is the angle.
-              const Tensor<2, dim> strain(symmetrize(gradients[q]));
+              const Tensor<2, dim> strain(symmetrize(at.gradient[q]));
               // The hoop strain u_r/r is no component of the gradient in the plane.
               const double hoop =
-                elasticity.model() == Model::axisymmetric ? values[q][0] / x[0] : 0.;
+                elasticity.model() == Model::axisymmetric ? at.u[q][0] / x[0] : 0.;
               change.strain = std::max(change.strain, std::hypot(strain.norm(), hoop));
               change.largest_rotation =
-                std::max(change.largest_rotation, (gradients[q] - strain).norm() / std::sqrt(2));
+                std::max(change.largest_rotation, (at.gradient[q] - strain).norm() / std::sqrt(2));
             }
         }
     const MPI_Comm comm     = mesh.communicator();

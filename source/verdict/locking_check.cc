@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "solid/cell_displacement.h"
 #include "solid/deformation.h"
 #include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include "verdict/checks.h"
 
-#include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -98,33 +98,22 @@ namespace Signorini
           std::vector<Point<dim>> points;
           for (const unsigned int v : fe.reference_cell().vertex_indices())
             points.push_back(fe.reference_cell().template vertex<dim>(v));
-          vertices.push_back(Quadrature<dim>(points));
+          vertices.push_back(Quadrature<dim>(points, std::vector<double>(points.size(), 0.)));
         }
-      const FEValuesExtractors::Vector displacement(0);
-      hp::FEValues<dim>                values_of(elasticity.mesh().mappings(),
-                                  elasticity.finite_elements(),
-                                  vertices,
-                                  update_values | update_gradients | update_quadrature_points);
-      std::vector<Tensor<1, dim>>      u;
-      std::vector<Tensor<2, dim>>      gradient;
-      LA::Vector                       sum = elasticity.zero_vector(), volume = sum;
+      CellDisplacement<dim> at(elasticity, ghosted, vertices);
+      LA::Vector            sum = elasticity.zero_vector(), volume = sum;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         {
           const Material &material = elasticity.material(cell->material_id());
           if (!cell->is_locally_owned() || !cell->reference_cell().is_simplex() ||
               cannot_lock(material, least_ratio))
             continue;
-          values_of.reinit(cell);
-          const FEValues<dim> &values = values_of.get_present_fe_values();
-          u.resize(values.n_quadrature_points);
-          gradient.resize(values.n_quadrature_points);
-          values[displacement].get_function_values(ghosted, u);
-          values[displacement].get_function_gradients(ghosted, gradient);
+          const FEValues<dim> &values = at.reinit(cell);
           for (const unsigned int v : cell->vertex_indices())
             {
               const auto   dof    = cell->vertex_dof_index(v, 0, cell->active_fe_index());
               const double change = volume_change(
-                elasticity.model(), material, gradient[v], u[v], values.quadrature_point(v));
+                elasticity.model(), material, at.gradient[v], at.u[v], values.quadrature_point(v));
               sum(dof) += cell->measure() * change;
               volume(dof) += cell->measure();
             }
@@ -148,45 +137,33 @@ namespace Signorini
     std::vector<Energies>
     energies_of_bodies(const Snapshot<dim> &s, const double least_ratio)
     {
-      const Elasticity<dim>           &elasticity = s.elasticity;
-      const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
-      const FEValuesExtractors::Vector displacement(0);
-      hp::FEValues<dim>                values_of(elasticity.mesh().mappings(),
-                                  elasticity.finite_elements(),
-                                  gauss_rules(elasticity.finite_elements(), 1),
-                                  update_values | update_gradients | update_quadrature_points |
-                                    update_JxW_values);
-      const LA::Vector                 means = elasticity.mesh().has_simplices() ?
-                                                 mean_volume_changes(elasticity, ghosted, least_ratio) :
-                                                 LA::Vector();
-      std::vector<Energies>            energies(elasticity.mesh().n_bodies());
-      std::vector<Tensor<1, dim>>      u;
-      std::vector<Tensor<2, dim>>      gradient;
-      std::vector<Weighted>            volume;
+      const Elasticity<dim> &elasticity = s.elasticity;
+      const LA::Vector       ghosted    = elasticity.with_ghosts(s.displacement);
+      CellDisplacement<dim>  at(elasticity, ghosted, gauss_rules(elasticity.finite_elements(), 1));
+      const LA::Vector       means = elasticity.mesh().has_simplices() ?
+                                       mean_volume_changes(elasticity, ghosted, least_ratio) :
+                                       LA::Vector();
+      std::vector<Energies>  energies(elasticity.mesh().n_bodies());
+      std::vector<Weighted>  volume;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         {
           const Material &material = elasticity.material(cell->material_id());
           // Bodies in displacement-pressure form do not lock, and compressible ones hardly.
           if (!cell->is_locally_owned() || cannot_lock(material, least_ratio))
             continue;
-          values_of.reinit(cell);
-          const FEValues<dim> &values = values_of.get_present_fe_values();
-          u.resize(values.n_quadrature_points);
-          gradient.resize(values.n_quadrature_points);
+          const FEValues<dim> &values = at.reinit(cell);
           volume.resize(values.n_quadrature_points);
-          values[displacement].get_function_values(ghosted, u);
-          values[displacement].get_function_gradients(ghosted, gradient);
           Energies &of_body = energies[elasticity.mesh().body(cell)];
           for (unsigned int q = 0; q < volume.size(); ++q)
             {
               const Point<dim> &x      = values.quadrature_point(q);
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
               volume[q]                = {weight,
-                                          volume_change(elasticity.model(), material, gradient[q], u[q], x)};
+                                          volume_change(elasticity.model(), material, at.gradient[q], at.u[q], x)};
               // At finite strain the energy is that of the law, at small strain half of sigma:eps.
               if (material.constitutive_law)
                 {
-                  auto F = deformation_gradient(elasticity.model(), gradient[q], u[q], x);
+                  auto F = deformation_gradient(elasticity.model(), at.gradient[q], at.u[q], x);
                   std::vector<double> internal;
                   of_body.all += weight * response_at(elasticity.model(),
                                                       elasticity.material_point(*cell, x, internal),
@@ -195,7 +172,7 @@ namespace Signorini
                                             .energy;
                   continue;
                 }
-              const auto eps = strain(elasticity.model(), material, gradient[q], u[q], x);
+              const auto eps = strain(elasticity.model(), material, at.gradient[q], at.u[q], x);
               of_body.all += 0.5 * weight * (stress(material, eps) * eps);
             }
           // The spurious part: lambda/2 times the squared deviation of the volume change.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fields/friction_fields.h"
+#include "geometry/cell_rule.h"
+#include "solid/cell_displacement.h"
 #include "verdict/checks.h"
 #include "verdict/pair_checks.h"
 #include <signorini/base/text.h>
 #include <signorini/solid/model.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,36 +19,29 @@ namespace Signorini
   std::vector<Extremes>
   extremes_of_bodies(const Snapshot<dim> &s)
   {
-    const Elasticity<dim>           &elasticity = s.elasticity;
-    const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
-    hp::FEValues<dim>                values_of(elasticity.mesh().mappings(),
-                                elasticity.finite_elements(),
-                                hp::QCollection<dim>(QMidpoint<dim>()),
-                                update_values | update_gradients | update_quadrature_points |
-                                  update_JxW_values);
-    const FEValuesExtractors::Vector displacement(0);
-    std::vector<Tensor<1, dim>>      u(1);
-    std::vector<Tensor<2, dim>>      gradient(1);
-    std::vector<Extremes>            largest(elasticity.mesh().n_bodies());
-    std::vector<Tensor<2, dim>>      rotations(largest.size()); // times volume
-    std::vector<double>              volumes(largest.size(), 0.);
+    const Elasticity<dim> &elasticity = s.elasticity;
+    const LA::Vector       ghosted    = elasticity.with_ghosts(s.displacement);
+    hp::QCollection<dim>   centers;
+    for (const auto &fe : elasticity.finite_elements())
+      centers.push_back(cell_rule<dim>(fe.reference_cell(), 1));
+    CellDisplacement<dim>       at(elasticity, ghosted, centers);
+    std::vector<Extremes>       largest(elasticity.mesh().n_bodies());
+    std::vector<Tensor<2, dim>> rotations(largest.size()); // times volume
+    std::vector<double>         volumes(largest.size(), 0.);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          values_of.reinit(cell);
-          const FEValues<dim> &values = values_of.get_present_fe_values();
-          values[displacement].get_function_values(ghosted, u);
-          values[displacement].get_function_gradients(ghosted, gradient);
+          const FEValues<dim> &values = at.reinit(cell);
           // The hoop strain u_r/r is a component of the gradient in axisymmetric models. Centres of
           // cells are not on the axis.
-          double square = gradient[0].norm_square();
+          double square = at.gradient[0].norm_square();
           if (elasticity.model() == Model::axisymmetric)
-            square += std::pow(u[0][0] / values.quadrature_point(0)[0], 2);
+            square += std::pow(at.u[0][0] / values.quadrature_point(0)[0], 2);
           Extremes &of_body = largest[elasticity.mesh().body(cell)];
-          of_body.motion    = std::max(of_body.motion, u[0].norm());
+          of_body.motion    = std::max(of_body.motion, at.u[0].norm());
           of_body.gradient  = std::max(of_body.gradient, std::sqrt(square));
           // The norm of the antisymmetric tensor counts each component twice.
-          const Tensor<2, dim> rotation = (gradient[0] - transpose(gradient[0])) / 2;
+          const Tensor<2, dim> rotation = (at.gradient[0] - transpose(at.gradient[0])) / 2;
           of_body.largest_rotation =
             std::max(of_body.largest_rotation, rotation.norm() / std::sqrt(2));
           rotations[elasticity.mesh().body(cell)] += values.JxW(0) * rotation;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/quantities/kinds.h"
+#include "solid/cell_displacement.h"
 #include "solid/cell_nodes.h"
 #include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
-#include <deal.II/hp/fe_values.h>
 
 namespace Signorini
 {
@@ -17,16 +17,10 @@ namespace Signorini
   Functional
   energy(const QuantityName &, const Snapshot<dim> &s, const Probes<dim> &)
   {
-    const Elasticity<dim>               &elasticity = s.elasticity;
-    const LA::Vector                     ghosted    = elasticity.with_ghosts(s.displacement);
-    hp::FEValues<dim>                    all_values(elasticity.mesh().mappings(),
-                                 elasticity.finite_elements(),
-                                 gauss_rules(elasticity.finite_elements(), 1),
-                                 update_values | update_gradients | update_quadrature_points |
-                                   update_JxW_values);
+    const Elasticity<dim> &elasticity = s.elasticity;
+    const LA::Vector       ghosted    = elasticity.with_ghosts(s.displacement);
+    CellDisplacement<dim>  at(elasticity, ghosted, gauss_rules(elasticity.finite_elements(), 1));
     const FEValuesExtractors::Vector     displacement(0);
-    std::vector<Tensor<1, dim>>          u;
-    std::vector<Tensor<2, dim>>          gradients;
     std::vector<types::global_dof_index> indices;
     Vector<double>                       forces;
     Functional                           result = zero_functional(s);
@@ -34,13 +28,8 @@ namespace Signorini
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          all_values.reinit(cell);
-          const FEValues<dim> &values   = all_values.get_present_fe_values();
+          const FEValues<dim> &values   = at.reinit(cell);
           const Material      &material = elasticity.material(cell->material_id());
-          u.resize(values.n_quadrature_points);
-          gradients.resize(values.n_quadrature_points);
-          values[displacement].get_function_values(ghosted, u);
-          values[displacement].get_function_gradients(ghosted, gradients);
           read_indices<dim>(cell, indices);
           forces.reinit(indices.size());
           for (const unsigned int q : values.quadrature_point_indices())
@@ -49,7 +38,7 @@ namespace Signorini
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
               // The energy by the compliance, since sigma contains thermal strain; the derivative
               // is sigma:eps of each shape function.
-              const auto sigma = elasticity.stress(*cell, gradients[q], u[q], x);
+              const auto sigma = elasticity.stress(*cell, at.gradient[q], at.u[q], x);
               sum += weight / 2 * (sigma * compliance(material, sigma));
               for (unsigned int i = 0; i < indices.size(); ++i)
                 forces[i] += weight * (sigma * strain(elasticity.model(),
