@@ -205,17 +205,21 @@ namespace Signorini
           with_share.push_back(i);
           carriers.push_back(nodes[i]);
         }
-    const Eigen::MatrixXd lumped  = absorbed_nodes(nodes, with_share);
-    const double          covered = std::accumulate(weights.begin(), weights.end(), 0.);
-    const bool            is_part = covered < 0.99 * area;
-    Numbers               own(carriers.size());
+    const bool            is_lumped = carriers.size() < nodes.size();
+    const Eigen::MatrixXd lumped =
+      is_lumped ? absorbed_nodes(nodes, with_share) : Eigen::MatrixXd();
+    const double covered = std::accumulate(weights.begin(), weights.end(), 0.);
+    const bool   is_part = covered < 0.99 * area;
+    Numbers      own(carriers.size());
     std::iota(own.begin(), own.end(), 0);
     Eigen::MatrixXd coefficients = Eigen::MatrixXd::Identity(own.size(), own.size());
     // Integrals are needed for the dual basis, and to select nodes on partly covered faces.
     if (is_part || basis == Basis::dual)
       {
-        const Integrals functions = integrals_of(shapes, weights, nodes).combined(lumped);
-        Integrals       taken     = functions;
+        Integrals functions = integrals_of(shapes, weights, nodes);
+        if (is_lumped)
+          functions = functions.combined(lumped);
+        Integrals taken = functions;
         // Nodes with too little covered area are absorbed by their neighbours.
         if (is_part)
           {
@@ -247,7 +251,8 @@ namespace Signorini
           if (std::find(takers.begin(), takers.end(), own[j]) != takers.end())
             coefficients.row(j) += coefficients.row(k) / takers.size();
       }
-    coefficients = (coefficients * lumped).eval();
+    if (is_lumped)
+      coefficients = (coefficients * lumped).eval();
     for (unsigned int k = 0; k < own.size(); ++k)
       {
         if (carriers[own[k]].prescribed)

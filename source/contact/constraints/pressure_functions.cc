@@ -238,15 +238,13 @@ namespace Signorini
       void
       find_faces()
       {
-        for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
-          if (!cell->is_artificial() && cell->at_boundary())
-            for (const unsigned int f : cell->face_indices())
-              if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
-                {
-                  for (const unsigned int v : vertices_of(cell, f))
-                    faces_at[v].push_back(faces.size());
-                  faces.emplace_back(cell, f);
-                }
+        for_each_face(elasticity.dof_handler().active_cell_iterators(),
+                      ids,
+                      [&](const CellIterator<dim> &cell, const unsigned int face) {
+                        for (const unsigned int v : vertices_of(cell, face))
+                          faces_at[v].push_back(faces.size());
+                        faces.emplace_back(cell, face);
+                      });
       }
 
       const Elasticity<dim>                                  &elasticity;
@@ -332,32 +330,26 @@ namespace Signorini
           of_face.own.empty() ? beside.of(cell, face, patch) : SparseRow();
         for (const auto &[node, value] : of_others)
           of_face.own.push_back(node);
+        const auto functions_at = [&](const PressureBasis &one, const SparseRow &shape) {
+          if (!of_others.empty())
+            return of_others;
+          SparseRow row = one.at(shape);
+          hanging.condense(row);
+          return row;
+        };
         // Segment edge points of the same face have the same functions.
         edge_point = std::find_if(edge_point, paired_edge_points.end(), [&](const auto &paired) {
           return paired.face >= points[first].face;
         });
         for (; edge_point != paired_edge_points.end() && edge_point->face == points[first].face;
              ++edge_point)
-          {
-            SparseRow &shape =
-              edge_points[edge_point - paired_edge_points.begin()].multiplier_shape;
-            shape = of_others;
-            if (!shape.empty())
-              continue;
-            shape = basis.at(trace.unresolved_shape(edge_point->xi));
-            hanging.condense(shape);
-          }
+          edge_points[edge_point - paired_edge_points.begin()].multiplier_shape =
+            functions_at(basis, trace.unresolved_shape(edge_point->xi));
         for (unsigned int q = first; q < last; ++q)
           {
-            points[q].multiplier_shape = of_others;
-            if (!of_others.empty())
-              continue;
-            points[q].multiplier_shape = basis.at(shapes[q - first]);
-            hanging.condense(points[q].multiplier_shape);
-            if (kind == Basis::standard)
-              continue;
-            points[q].interpolation = standard.at(shapes[q - first]);
-            hanging.condense(points[q].interpolation);
+            points[q].multiplier_shape = functions_at(basis, shapes[q - first]);
+            if (kind == Basis::dual && of_others.empty())
+              points[q].interpolation = functions_at(standard, shapes[q - first]);
           }
       }
     return result;
@@ -376,16 +368,14 @@ namespace Signorini
                  elasticity.mesh().boundary_ids(name).end());
     std::vector<types::global_dof_index> indices;
     if (!ids.empty())
-      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
-        if (!cell->is_artificial() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
-              {
-                const FiniteElement<dim> &fe = cell->get_fe();
-                read_indices<dim>(cell, indices);
-                for (const unsigned int i : nodes_of_face(fe.base_element(0), f))
-                  result.insert(indices[fe.component_to_system_index(0, i)]);
-              }
+      for_each_face(elasticity.dof_handler().active_cell_iterators(),
+                    ids,
+                    [&](const CellIterator<dim> &cell, const unsigned int face) {
+                      const FiniteElement<dim> &fe = cell->get_fe();
+                      read_indices<dim>(cell, indices);
+                      for (const unsigned int i : nodes_of_face(fe.base_element(0), face))
+                        result.insert(indices[fe.component_to_system_index(0, i)]);
+                    });
     return result;
   }
 

@@ -53,43 +53,45 @@ namespace Signorini
     const FaceRules<dim>          rules(integration);
     std::vector<PairedPoint<dim>> points;
     for (unsigned int i = 0; i < slave.patches.size(); ++i)
-      for (unsigned int q = 0; q < rules.of(slave.patches[i]).size(); ++q)
-        {
-          const FacePatch<dim>      &face = slave.patches[i];
-          const Quadrature<dim - 1> &rule = rules.of(face);
-          const Point<dim - 1>      &xi   = rule.point(q);
-          const auto &[point_on_obstacle, place] =
-            configuration.partner(obstacle, pose, face, slave.rest[i], xi);
-          // A point takes part if it is near enough and faces the obstacle.
-          if (std::abs(point_on_obstacle.gap) > search_radius(face, limit) ||
-              !faces_each_other(face.normal(xi), point_on_obstacle.normal))
-            continue;
-          PairedPoint<dim> point{i, xi, rule.weight(q) * face.jacobian(xi), {}};
-          point.master_point.position = place;
-          point.master_point.normal   = point_on_obstacle.normal;
-          point.master_point.distance = std::abs(point_on_obstacle.gap);
-          // An obstacle is rigid: infinite stiffness in series, infinite bound of the stress, so
-          // that the slave alone determines both.
-          point.master_point.stiffness = std::numeric_limits<double>::infinity();
-          point.master_point.bound     = std::numeric_limits<double>::infinity();
-          point.master_point.rigid =
-            rigid_row(pose, first, point.master_point.position, point_on_obstacle.normal);
-          if (with_motion)
-            {
-              const Point<dim> &y      = point.master_point.position;
-              point.master_point.start = pose_at_start.position(pose.to_body(y));
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  Tensor<1, dim> unit;
-                  unit[d]                            = 1;
-                  point.master_point.rigid_motion[d] = rigid_row(pose, first, y, unit);
-                }
-            }
-          if (!configuration.is_reference())
-            point.master_point.second_variation =
-              second_variation_of_obstacle(point_on_obstacle, pose, face.position(xi), first);
-          points.push_back(std::move(point));
-        }
+      {
+        const FacePatch<dim>      &face = slave.patches[i];
+        const Quadrature<dim - 1> &rule = rules.of(face);
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          {
+            const Point<dim - 1> &xi = rule.point(q);
+            const auto &[point_on_obstacle, place] =
+              configuration.partner(obstacle, pose, face, slave.rest[i], xi);
+            // A point takes part if it is near enough and faces the obstacle.
+            if (std::abs(point_on_obstacle.gap) > search_radius(face, limit) ||
+                !faces_each_other(face.normal(xi), point_on_obstacle.normal))
+              continue;
+            PairedPoint<dim> point{i, xi, rule.weight(q) * face.jacobian(xi), {}};
+            point.master_point.position = place;
+            point.master_point.normal   = point_on_obstacle.normal;
+            point.master_point.distance = std::abs(point_on_obstacle.gap);
+            // An obstacle is rigid: infinite stiffness in series, infinite bound of the stress, so
+            // that the slave alone determines both.
+            point.master_point.stiffness = std::numeric_limits<double>::infinity();
+            point.master_point.bound     = std::numeric_limits<double>::infinity();
+            point.master_point.rigid =
+              rigid_row(pose, first, point.master_point.position, point_on_obstacle.normal);
+            if (with_motion)
+              {
+                const Point<dim> &y      = point.master_point.position;
+                point.master_point.start = pose_at_start.position(pose.to_body(y));
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    Tensor<1, dim> unit;
+                    unit[d]                            = 1;
+                    point.master_point.rigid_motion[d] = rigid_row(pose, first, y, unit);
+                  }
+              }
+            if (!configuration.is_reference())
+              point.master_point.second_variation =
+                second_variation_of_obstacle(point_on_obstacle, pose, face.position(xi), first);
+            points.push_back(std::move(point));
+          }
+      }
     keep_near_faces(slave.patches, limit, points);
     return points;
   }

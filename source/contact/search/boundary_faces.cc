@@ -240,11 +240,9 @@ namespace Signorini
     // without communication.
     const BoundaryIds &ids = mesh.boundary_ids(boundary);
     SharedSides<dim>   sides;
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (!cell->is_artificial() && cell->at_boundary())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
-            sides.add(cell, f);
+    for_each_face(mesh.triangulation().active_cell_iterators(),
+                  ids,
+                  [&](const auto &cell, const unsigned int face) { sides.add(cell, face); });
     std::vector<SidesOfFace<dim>> result;
     for (const auto &[cell, face] : faces.faces)
       {

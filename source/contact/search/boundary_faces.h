@@ -62,6 +62,21 @@ namespace Signorini
     BoundaryFaces() = default;
   };
 
+  /// Call visit(cell, face) for the faces of some boundaries on the cells of this rank and on ghost
+  /// cells.
+  /// @param cells all active cells
+  /// @param ids of the boundaries
+  template <typename Cells, typename Visit>
+  void
+  for_each_face(const Cells &cells, const BoundaryIds &ids, const Visit &visit)
+  {
+    for (const auto &cell : cells)
+      if (!cell->is_artificial() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
+            visit(cell, f);
+  }
+
   /// Flags of the sides of a face, see ends_of_side(); a triangle has the first three.
   template <int dim>
   using SidesOfFace = std::array<bool, 2 * (dim - 1)>;
