@@ -94,6 +94,48 @@ namespace Signorini
 
   namespace
   {
+    /// Means of values that are added at nodes, on any rank.
+    struct NodalMeans
+    {
+      LA::Vector sum, count;
+
+      /// @param zero a zero vector of the displacement
+      explicit NodalMeans(const LA::Vector &zero)
+        : sum(zero)
+        , count(zero)
+      {}
+
+      void
+      add(const types::global_dof_index node, const double value)
+      {
+        sum(node) += value;
+        count(node) += 1;
+      }
+
+      /// Sum over ranks. Collective.
+      void
+      finish()
+      {
+        for (LA::Vector *v : {&sum, &count})
+          v->compress(VectorOperation::add);
+      }
+
+      /// Set the entries of a field that have values and that are wanted to their means.
+      /// Collective.
+      /// @param is_wanted a function of the index of an owned entry
+      template <typename Choice>
+      void
+      set(LA::Vector &field, const Choice &is_wanted) const
+      {
+        for (const auto i : field.locally_owned_elements())
+          if (count(i) > 0 && is_wanted(i))
+            field(i) = sum(i) / count(i);
+        field.compress(VectorOperation::insert);
+      }
+    };
+
+
+
     /// Set the values of nodes all of whose faces have no node with a pressure function, in corners
     /// of the surface, to the mean of those of the other nodes there. Collective.
     /// @param count,free at nodes: the number of values, and of faces with a pressure function
@@ -105,24 +147,27 @@ namespace Signorini
                  const LA::Vector    &free,
                  LA::Vector          &field)
     {
-      LA::Vector known = count, sum = s.elasticity.zero_vector(), number = sum;
+      // Most surfaces have no such corner.
+      const auto &faces     = s.surfaces[pair].slave_faces;
+      const bool  is_corner = std::any_of(faces.begin(), faces.end(), [](const auto &face) {
+        return !face.nodes.empty() && std::all_of(face.without_pressure.begin(),
+                                                  face.without_pressure.end(),
+                                                  [](const bool without) { return without; });
+      });
+      if (Utilities::MPI::max(is_corner ? 1 : 0, s.elasticity.mesh().communicator()) == 0)
+        return;
+      LA::Vector known = count;
       known += free;
       const LA::Vector is_known = s.elasticity.with_ghosts(known),
                        now      = s.elasticity.with_ghosts(field);
-      for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+      NodalMeans means(s.elasticity.zero_vector());
+      for (const SlaveFace<dim> &face : faces)
         for (const auto i : face.nodes)
           for (const auto other : face.nodes)
             if (is_known(i) == 0 && is_known(other) > 0)
-              {
-                sum(i) += now(other);
-                number(i) += 1;
-              }
-      for (LA::Vector *v : {&sum, &number})
-        v->compress(VectorOperation::add);
-      for (const auto i : s.elasticity.owned())
-        if (number(i) > 0)
-          field(i) = sum(i) / number(i);
-      field.compress(VectorOperation::insert);
+              means.add(i, now(other));
+      means.finish();
+      means.set(field, [](const auto) { return true; });
     }
   } // namespace
 
@@ -165,24 +210,19 @@ namespace Signorini
   {
     if (!s.surfaces[pair].has_dirichlet_nodes)
       return;
-    LA::Vector sum = s.elasticity.zero_vector(), count = sum, free = sum;
+    NodalMeans means(s.elasticity.zero_vector());
+    LA::Vector free = means.count;
     for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
       for (unsigned int i = 0; i < face.nodes.size(); ++i)
         if (face.without_pressure[i])
           for (const unsigned int near : nearest_free(face, i))
-            {
-              sum(face.nodes[i]) += value(face, i, near);
-              count(face.nodes[i]) += 1;
-            }
+            means.add(face.nodes[i], value(face, i, near));
         else
           free(face.nodes[i]) += 1;
-    for (LA::Vector *v : {&sum, &count, &free})
-      v->compress(VectorOperation::add);
-    for (const auto i : s.elasticity.owned())
-      if (count(i) > 0 && free(i) == 0)
-        field(i) = sum(i) / count(i);
-    field.compress(VectorOperation::insert);
-    fill_corners(s, pair, count, free, field);
+    means.finish();
+    free.compress(VectorOperation::add);
+    means.set(field, [&](const auto i) { return free(i) == 0; });
+    fill_corners(s, pair, means.count, free, field);
   }
 
 
@@ -215,20 +255,15 @@ namespace Signorini
     if (dim == 2 || !s.elasticity.mesh().has_simplices() || s.elasticity.degree() < 2)
       return;
     const LA::Vector now = s.elasticity.with_ghosts(field);
-    LA::Vector       sum = s.elasticity.zero_vector(), count = sum;
+    NodalMeans       means(s.elasticity.zero_vector());
     for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
       for (const NodeBetween &between : face.between)
         {
           const auto &[a, b] = between.ends;
-          sum(between.node) += (now(face.nodes[a]) + now(face.nodes[b])) / 2;
-          count(between.node) += 1;
+          means.add(between.node, (now(face.nodes[a]) + now(face.nodes[b])) / 2);
         }
-    for (LA::Vector *v : {&sum, &count})
-      v->compress(VectorOperation::add);
-    for (const auto i : s.elasticity.owned())
-      if (count(i) > 0)
-        field(i) = sum(i) / count(i);
-    field.compress(VectorOperation::insert);
+    means.finish();
+    means.set(field, [](const auto) { return true; });
   }
 
 
