@@ -153,6 +153,16 @@ namespace Signorini
     return cell.face_reference_cell(0);
   }
 
+  /// @return the degree of the geometry of a cell and its faces: simplices are curved by parabolas
+  /// at most.
+  /// @param cell a hypercube or a simplex
+  /// @param degree of hypercubes
+  inline unsigned int
+  geometry_degree_of(const dealii::ReferenceCell &cell, const unsigned int degree)
+  {
+    return cell.is_simplex() ? std::min(degree, 2u) : degree;
+  }
+
   /// @return coordinates on the face in which distances do not depend on the numbering of vertices:
   /// the parameters, or on triangles those of an equilateral one.
   /// @param shape reference cell of the face

@@ -62,7 +62,7 @@ namespace Signorini
     section.add(
       "Geometry degree",
       geometry_degree,
-      "polynomial degree of the cell mapping, and of curved surfaces in gaps; 0: the degree of the displacement for cells, 4 for surfaces",
+      "polynomial degree of the cell mapping, and of curved surfaces in gaps; 0: the degree of the displacement for cells, 4 for surfaces; triangles and tetrahedra have at most 2",
       Range{0, 4});
     section.rename_section("Zones", "Refinement regions");
     section.add_named("Refinement regions",
@@ -224,9 +224,9 @@ namespace Signorini
     const std::string body = names[std::find(is_of_simplices.begin(), is_of_simplices.end(), true) -
                                    is_of_simplices.begin()],
                       cure = ", but the cells of body '" + body + "' are " +
-                             (dim == 2 ? "triangles" : "tetrahedra") +
+                             word_of_cells(dim, true) +
                              ", and no body beside such a one is refined: set Bodies/" + body +
-                             (dim == 2 ? "/Cells = quadrilaterals" : "/Cells = hexahedra");
+                             "/Cells = " + word_of_cells(dim, false);
     if (settings.distribution == Distribution::p4est)
       throw SceneError("Mesh/Distribution = p4est" + cure);
     if (settings.refinements > 0 || settings.contact_refinements > 0 ||

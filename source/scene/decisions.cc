@@ -39,11 +39,22 @@ namespace Signorini
       if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; set Law = neo-Hooke";
       if (body.mesh.generator->has_simplices())
-        return dim == 2 ? "bodies of triangles have no such form; set Cells = quadrilaterals" :
-                          "bodies of tetrahedra have no such form; set Cells = hexahedra";
+        return "bodies of " + word_of_cells(dim, true) +
+               " have no such form; set Cells = " + word_of_cells(dim, false);
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
         return "errors of the volumetric stress are not estimated; remove Accuracy/Quantity and Target error";
       return {};
+    }
+
+    /// @return whether the user has chosen the displacement-pressure form, or has left it open for
+    /// a nearly incompressible material.
+    /// @param obstacle to that form, see obstacle_to_mixed()
+    bool
+    wants_mixed(const Material &material, const std::string &obstacle)
+    {
+      return material.formulation == Formulation::mixed ||
+             (material.formulation == Formulation::automatic &&
+              material.poissons_ratio >= nearly_incompressible && obstacle.empty());
     }
 
     /// @return whether a material is in displacement-pressure form: if the user has chosen it, or
@@ -60,9 +71,7 @@ namespace Signorini
       const std::string obstacle = obstacle_to_mixed(scene, body, material);
       if (material.formulation == Formulation::mixed && !obstacle.empty())
         throw SceneError(place + "/Formulation = mixed: " + obstacle);
-      const bool result = material.formulation == Formulation::mixed ||
-                          (material.formulation == Formulation::automatic &&
-                           material.poissons_ratio >= nearly_incompressible && obstacle.empty());
+      const bool result = wants_mixed(material, obstacle);
       // Lame's constant lambda is infinite then, so that the displacement form has no finite
       // stiffness.
       if (!result && material.poissons_ratio == 0.5)
@@ -110,10 +119,7 @@ namespace Signorini
       {
         if (material->constitutive_law && material->constitutive_law->n_internal() > 0)
           return "Law = " + material->law;
-        if (material->formulation == Formulation::mixed ||
-            (material->formulation == Formulation::automatic &&
-             material->poissons_ratio >= nearly_incompressible &&
-             model_of(scene.model) != Model::plane_stress))
+        if (wants_mixed(*material, obstacle_to_mixed(scene, body, *material)))
           return "the mixed formulation";
       }
     return {};

@@ -85,9 +85,8 @@ namespace Signorini
           if (!body.mesh.generator->has_simplices())
             continue;
           const std::string place = "Bodies/" + body.name + "/Cells = as in file",
-                            cells = dim == 2 ? "triangles" : "tetrahedra",
-                            cure =
-                              dim == 2 ? "; set Cells = quadrilaterals" : "; set Cells = hexahedra";
+                            cells = word_of_cells(dim, true),
+                            cure  = "; set Cells = " + word_of_cells(dim, false);
           if (scene.maximum_cycles() > 0)
             throw SceneError(
               place + ": " + cells + " are not refined, but " +

@@ -75,10 +75,7 @@ namespace Signorini
             {
               // Elements of one shape differ by their degree, which resultants do not depend on.
               const unsigned int of_shape =
-                std::find_if(shapes.begin(),
-                             shapes.end(),
-                             [&](const auto &shape) { return shape == cell->reference_cell(); }) -
-                shapes.begin();
+                std::find(shapes.begin(), shapes.end(), cell->reference_cell()) - shapes.begin();
               all_values.reinit(cell, f, of_shape, 0, of_shape);
               const FEFaceValues<dim> &values = all_values.get_present_fe_values();
               for (const unsigned int q : values.quadrature_point_indices())

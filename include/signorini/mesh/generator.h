@@ -134,6 +134,17 @@ namespace Signorini
     create(const std::string &name);
   };
 
+  /// @return the word for simplices, or for the other cells, in messages.
+  /// @param dim 2 or 3
+  /// @param of_simplices whether simplices are meant
+  inline std::string
+  word_of_cells(const unsigned int dim, const bool of_simplices)
+  {
+    if (of_simplices)
+      return dim == 2 ? "triangles" : "tetrahedra";
+    return dim == 2 ? "quadrilaterals" : "hexahedra";
+  }
+
   /// @return the names of all generators in this dimension.
   template <int dim>
   std::vector<std::string>

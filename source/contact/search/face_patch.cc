@@ -136,8 +136,7 @@ namespace Signorini
                             const unsigned int                                       degree,
                             const typename Triangulation<dim>::active_cell_iterator &cell,
                             const unsigned int                                       face)
-    // Simplices are curved by parabolas.
-    : degree(cell->reference_cell().is_simplex() ? std::min(degree, 2u) : degree)
+    : degree(geometry_degree_of(cell->reference_cell(), degree))
     , nodes(face_nodes(mapping, this->degree, cell, face))
   {
     measure();

@@ -3,7 +3,6 @@
 
 #include <deal.II/fe/fe_nothing.h>
 
-#include <algorithm>
 
 namespace Signorini
 {
@@ -11,13 +10,6 @@ namespace Signorini
 
   namespace
   {
-    /// The degree of the faces of a cell: simplices are curved by parabolas.
-    unsigned int
-    degree_of_faces(const ReferenceCell &cell, const unsigned int degree)
-    {
-      return cell.is_simplex() ? std::min(degree, 2u) : degree;
-    }
-
     /// The nodes of a face, lexicographic, then its middle and a point inside of the cell.
     template <int dim>
     Quadrature<dim>
@@ -69,7 +61,9 @@ namespace Signorini
         of_faces.push_back(std::make_unique<FEValues<dim>>(
           mesh.surface_mapping(),
           fe,
-          places_on<dim>(fe.reference_cell(), face, degree_of_faces(fe.reference_cell(), degree)),
+          places_on<dim>(fe.reference_cell(),
+                         face,
+                         geometry_degree_of(fe.reference_cell(), degree)),
           update_quadrature_points));
     };
     if (mesh.has_hypercubes())
@@ -92,7 +86,7 @@ namespace Signorini
     const Tensor<1, dim>    outwards = nodes[nodes.size() - 2] - nodes.back();
     nodes.resize(nodes.size() - 2);
     const unsigned int k =
-      lower_degree(shape_of_faces(reference), nodes, degree_of_faces(reference, degree));
+      lower_degree(shape_of_faces(reference), nodes, geometry_degree_of(reference, degree));
     const FacePatch<dim> patch(k, nodes, 1);
     return patch.normal(patch.middle()) * outwards > 0 ? patch : FacePatch<dim>(k, nodes, -1);
   }

@@ -163,31 +163,24 @@ namespace Signorini
 
     /// Throw SceneError if the cells of a part are not all of one shape that needs no division.
     /// @return whether they are triangles or tetrahedra
+    template <int dim>
     bool
-    are_simplices(const MeshFile                  &file,
-                  const std::vector<unsigned int> &cells,
-                  const unsigned int               dim)
+    are_simplices(const MeshFile &file, const std::vector<unsigned int> &cells)
     {
-      using Shape         = MeshFile::Shape;
-      const Shape cube    = dim == 2 ? cell_shape<2> : cell_shape<3>,
-                  simplex = dim == 2 ? Shape::triangle : Shape::tetrahedron;
-      const auto n_of     = [&](const Shape shape) -> std::size_t {
+      const auto n_of = [&](const MeshFile::Shape shape) -> std::size_t {
         return std::count_if(cells.begin(), cells.end(), [&](const unsigned int c) {
           return file.elements[c].shape == shape;
         });
       };
-      const std::size_t n_simplices = n_of(simplex);
-      if (n_of(cube) == cells.size() || n_simplices == cells.size())
+      const std::size_t n_simplices = n_of(simplex_shape<dim>);
+      if (n_of(cell_shape<dim>) == cells.size() || n_simplices == cells.size())
         return n_simplices > 0;
-      throw SceneError(
-        dim == 2 ? "has " + std::to_string(n_simplices) + " triangles among " +
-                     std::to_string(cells.size()) +
-                     " cells; a body may consist of triangles or quadrilaterals, not of both: set "
-                     "Cells = quadrilaterals" :
-                   "has " + std::to_string(n_simplices) + " tetrahedra among " +
-                     std::to_string(cells.size()) +
-                     " cells; a body may consist of tetrahedra or hexahedra, not of both, and not "
-                     "of wedges or pyramids: set Cells = hexahedra");
+      const std::string simplices = word_of_cells(dim, true), others = word_of_cells(dim, false);
+      throw SceneError("has " + std::to_string(n_simplices) + " " + simplices + " among " +
+                       std::to_string(cells.size()) + " cells; a body may consist of " + simplices +
+                       " or " + others + ", not of both" +
+                       (dim == 3 ? ", and not of wedges or pyramids" : "") +
+                       ": set Cells = " + others);
     }
 
 
@@ -268,15 +261,14 @@ namespace Signorini
                                  const std::string               &needs_hypercubes,
                                  std::vector<std::string>        &notes) const
   {
-    const std::string simplices  = dim == 2 ? "triangles" : "tetrahedra",
-                      hypercubes = dim == 2 ? "quadrilaterals" : "hexahedra";
-    const auto are_second_order  = [&](const unsigned int c) {
+    const std::string simplices = word_of_cells(dim, true), hypercubes = word_of_cells(dim, false);
+    const auto        are_second_order = [&](const unsigned int c) {
       const MeshFile::Element &element = all.elements[c];
       return element.shape == simplex_shape<dim> && element.nodes.size() > n_corners(element.shape);
     };
     if (cells == CellChoice::as_in_file)
       {
-        const bool are_kept = are_simplices(all, chosen, dim);
+        const bool are_kept = are_simplices<dim>(all, chosen);
         if (are_kept && !are_second_order(chosen.front()))
           notes.push_back(
             "the " + simplices +

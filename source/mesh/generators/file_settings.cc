@@ -48,7 +48,7 @@ namespace Signorini
       "Cells",
       cells,
       {{"automatic", CellChoice::automatic},
-       {dim == 2 ? "quadrilaterals" : "hexahedra", CellChoice::hypercubes},
+       {word_of_cells(dim, false), CellChoice::hypercubes},
        {"as in file", CellChoice::as_in_file}},
       dim == 2 ?
         "quadrilaterals: each triangle is divided into three quadrilaterals; as in file: triangles "
