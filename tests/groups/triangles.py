@@ -102,43 +102,53 @@ def patch(order, bodies, sets, ranks, penetrates=False):
     return body
 
 
-def converges(scene, order, factors, quantity, least, last_error, reference=None, sets=()):
-    """As in convergence.py, with meshes of triangles of sizes 1/factor."""
+def converges(model, sizes, quantity, least, last_error=math.inf, reference=None, sets=()):
+    """The last order of convergence of an error, over the scenes model(test, size)."""
     def body(test):
         errors = []
-        for factor in factors:
-            found = number(test.results(with_triangles(test, SCENES / f"{scene}.prm", order, factor), sets), quantity)
+        for size in sizes:
+            found = number(test.results(model(test, size), sets), quantity)
             errors.append(abs(found) if reference is None else abs(found / reference - 1))
-            test.print(f"{factor:5g} {found:16.9g} {errors[-1]:12.2e}")
-        rate = rate_of(factors, errors, key="factor")
+            test.print(f"{size:5g} {found:16.9g} {errors[-1]:12.2e}")
+        rate = rate_of(sizes, errors, key="factor")
         test.print(f"rate {rate:.2f}")
         test.check(rate >= least, f"the last rate is {rate:.2f}, at least {least:g} is wanted")
         test.check(errors[-1] <= last_error, f"the last error is {errors[-1]:.2e}, larger than {last_error:g}")
     return body
 
 
-def same_expected(scene, order, sets=(), ranks=1):
-    """The scene's own expected results hold."""
+def finer(scene, order):
+    """The scene with meshes of triangles of sizes 1/factor, for converges()."""
+    return lambda test, factor: with_triangles(test, SCENES / f"{scene}.prm", order, factor)
+
+
+def same_expected(model, ranks=1):
+    """The scene's own expected results hold, on the scene model(test)."""
     def body(test):
-        results = test.results(with_triangles(test, SCENES / f"{scene}.prm", order), sets, ranks)
-        for name, one in results["expected"].items():
+        for name, one in test.results(model(test), [], ranks)["expected"].items():
             test.check(one["holds"], f"{name}: {one['value']:.9g} instead of {one['reference']:.9g}")
     return body
 
 
-def cases():
+def patches(group, patch, sanitized=()):
+    """Patch tests of both bodies or one of them made of simplices, from either side. patch: makes the body of a case from the
+    order, the bodies, keys, ranks, and whether the method penetrates; sanitized: orders that run with sanitizers too."""
     for order in (1, 2):
         for bodies in (None, ["lower"], ["upper"]):
             for i, (name, sets) in enumerate(METHODS.items()):
                 ranks = 2 if (i + order) % 2 else 1
                 where = "-".join(bodies or ["all"])
                 degree = [] if bodies is None else [f"Mesh/Degree={order}"]
-                labels = {"quick", "sanitized"} if bodies is None and order == 2 else {"quick"}
-                yield Case("triangles/patch", f"order-{order}/{where}/{name}",
+                labels = {"quick", "sanitized"} if bodies is None and order in sanitized else {"quick"}
+                yield Case(group, f"order-{order}/{where}/{name}",
                            patch(order, bodies, sets + degree, ranks, name == "penalty"), ranks, labels)
                 if bodies:
-                    yield Case("triangles/patch", f"order-{order}/{where}/{name}-swapped",
+                    yield Case(group, f"order-{order}/{where}/{name}-swapped",
                                patch(order, bodies, sets + degree + SWAPPED, ranks, name == "penalty"), ranks)
+
+
+def cases():
+    yield from patches("triangles/patch", patch, sanitized=(2,))
     yield from orders()
     yield from scenes_with_triangles()
 
@@ -151,13 +161,13 @@ def orders():
                                           (2, "polynomial-smooth", "displacement", 2.8)):
         for name in ("multiplier", "nitsche"):
             yield Case(f"triangles/{scene}-{order}", f"{quantity}/{name}", labels={"full"}, body=converges(
-                scene, order, (2.5, 4.5, 8.5, 16.5), f"errors/{quantity}", least, math.inf,
+                finer(scene, order), (2.5, 4.5, 8.5, 16.5), f"errors/{quantity}", least,
                 sets=[*METHODS[name], "Mesh/Refinements=0"]))
     for order, quantity, reference, least, last in ((1, "probes/rim/displacement/0", 0.0277534133, 1.8, 3e-4),
                                                     (2, "probes/rim/displacement/0", 0.0277534133, 1.8, 3e-4)):
         for name in ("multiplier", "nitsche"):
             yield Case("triangles/shrink-fit", f"order-{order}/{name}", labels={"full"}, body=converges(
-                "shrink-fit", order, (1, 2, 4), quantity, least, last, reference, METHODS[name]))
+                finer("shrink-fit", order), (1, 2, 4), quantity, least, last, reference, METHODS[name]))
 
 
 def scenes_with_triangles():
@@ -169,7 +179,8 @@ def scenes_with_triangles():
     for i, scene in enumerate(scenes):
         for order in (1, 2):
             ranks = 1 + (i + order) % 2
-            yield Case("triangles/scenes", f"{scene}/order-{order}", same_expected(scene, order, ranks=ranks), ranks)
+            yield Case("triangles/scenes", f"{scene}/order-{order}", same_expected(
+                lambda test, scene=scene, order=order: with_triangles(test, SCENES / f"{scene}.prm", order), ranks), ranks)
     yield Case("triangles/refusals", "refusals", refusals)
 
 
