@@ -280,19 +280,53 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// Barycentric coordinates of the points at which the shape of simplices is checked: nodes, and
+    /// points between them.
+    template <int dim>
+    std::vector<std::array<double, dim + 1>>
+    samples_of_simplex()
+    {
+      const FE_SimplexP<dim>  shapes(2);
+      std::vector<Point<dim>> points = cell_rule<dim>(shapes.reference_cell(), 4).get_points();
+      points.insert(points.end(),
+                    shapes.get_unit_support_points().begin(),
+                    shapes.get_unit_support_points().end());
+      std::vector<std::array<double, dim + 1>> result;
+      for (const Point<dim> &point : points)
+        {
+          result.emplace_back();
+          for (unsigned int v = 0; v <= dim; ++v)
+            result.back()[v] = shapes.reference_cell().d_linear_shape_function(point, v);
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  // The derivatives of the map are linear, and follow from those at the vertices: along the edge
+  // from vertex 0 to vertex d they are 4 (x_db - x_0b) - (x_d - x_0) at vertex b, with x_ab in the
+  // middle of the edge from a to b, and x_aa = x_a.
   template <int dim>
   bool
   is_inverted_simplex(const std::vector<Point<dim>> &nodes)
   {
-    static const FE_SimplexP<dim> shapes(2);
-    std::vector<Point<dim>>       samples = cell_rule<dim>(shapes.reference_cell(), 4).get_points();
-    samples.insert(samples.end(),
-                   shapes.get_unit_support_points().begin(),
-                   shapes.get_unit_support_points().end());
-    return std::any_of(samples.begin(), samples.end(), [&](const Point<dim> &sample) {
+    static const auto samples = samples_of_simplex<dim>();
+    // Edges in the order of deal.II: 01, 12, 20, 03, 13, 23.
+    constexpr unsigned int middle[4][4] = {{0, 0, 2, 3}, {0, 1, 1, 4}, {2, 1, 2, 5}, {3, 4, 5, 3}};
+    const auto between = [&](const unsigned int a, const unsigned int b) -> const Point<dim> & {
+      return nodes[a == b ? a : dim + 1 + middle[a][b]];
+    };
+    std::array<Tensor<2, dim>, dim + 1> at_vertex; // [direction][component]
+    for (unsigned int b = 0; b <= dim; ++b)
+      for (unsigned int d = 0; d < dim; ++d)
+        at_vertex[b][d] = 4 * (between(d + 1, b) - between(0, b)) - (nodes[d + 1] - nodes[0]);
+    return std::any_of(samples.begin(), samples.end(), [&](const auto &weights) {
       Tensor<2, dim> slope;
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        slope += outer_product(nodes[i] - nodes[0], shapes.shape_grad(i, sample));
+      for (unsigned int b = 0; b <= dim; ++b)
+        slope += weights[b] * at_vertex[b];
       return !(determinant(slope) > 0); // also NaN
     });
   }

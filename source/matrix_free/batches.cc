@@ -2,46 +2,68 @@
 #include "matrix_free/batches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Signorini
 {
   namespace
   {
+    /// The places of the nodes in the reference cell, in halves of its size for degree 2: of
+    /// hexahedra a lattice, of tetrahedra vertices and middles of edges.
+    std::vector<std::array<unsigned int, 3>>
+    reference_nodes(const KernelCells &cells)
+    {
+      if (cells.are_tetrahedra && cells.degree == 1)
+        return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      if (cells.are_tetrahedra)
+        return {{0, 0, 0},
+                {2, 0, 0},
+                {0, 2, 0},
+                {0, 0, 2},
+                {1, 0, 0}, //
+                {1, 1, 0},
+                {0, 1, 0},
+                {0, 0, 1},
+                {1, 0, 1},
+                {0, 1, 1}};
+      std::vector<std::array<unsigned int, 3>> result;
+      const unsigned int                       n = cells.degree + 1;
+      for (unsigned int i = 0; i < n * n * n; ++i)
+        result.push_back({i % n, i / n % n, i / (n * n)});
+      return result;
+    }
+
     /// True if the mapping of a cell is affine: each node is where the three edges at the first
     /// node place it, to 1e-10 of the size of the cell.
+    /// @param nodes reference_nodes()
     bool
-    is_affine_cell(const double *points, const unsigned int degree)
+    is_affine_cell(const double                                   *points,
+                   const std::vector<std::array<unsigned int, 3>> &nodes,
+                   const unsigned int                              degree)
     {
-      constexpr double   rounding = 1e-10; // of the cell's size
-      const unsigned int n        = degree + 1;
+      constexpr double rounding = 1e-10; // of the cell's size
       // The ends of the three edges at the first node span the affine map. All nodes, also the
-      // inner ones of degree 2, must be where it maps their lattice points.
-      const double *far[3] = {points + 3 * degree,
-                              points + 3 * degree * n,
-                              points + 3 * degree * n * n};
-      double        size   = 0;
+      // inner ones of degree 2, must be where it maps their places.
+      const double *far[3] = {};
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        for (unsigned int d = 0; d < 3; ++d)
+          if (nodes[i][d] == degree && nodes[i][(d + 1) % 3] == 0 && nodes[i][(d + 2) % 3] == 0)
+            far[d] = points + 3 * i;
+      double size = 0;
       for (const double *corner : far)
         for (unsigned int c = 0; c < 3; ++c)
           size = std::max(size, std::abs(corner[c] - points[c]));
-      for (unsigned int i = 0; i < n * n * n; ++i)
+      for (unsigned int i = 0; i < nodes.size(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
           {
-            const unsigned int at[3]              = {i % n, i / n % n, i / (n * n)};
-            double             extrapolated_point = points[c];
+            double extrapolated_point = points[c];
             for (unsigned int d = 0; d < 3; ++d)
-              extrapolated_point += (far[d][c] - points[c]) * at[d] / degree;
+              extrapolated_point += (far[d][c] - points[c]) * nodes[i][d] / degree;
             if (std::abs(points[3 * i + c] - extrapolated_point) > rounding * size)
               return false;
           }
       return true;
-    }
-
-    /// n^3.
-    unsigned int
-    cube(const unsigned int n)
-    {
-      return n * n * n;
     }
   } // namespace
 
@@ -51,14 +73,18 @@ namespace Signorini
   Batches<Number>::Batches(const KernelCells &cells, const unsigned int width)
     : my_cells(&cells)
     , width(width)
-    , n_nodes(cube(cells.degree + 1))
+    , n_nodes(cells.nodes_per_cell())
+    , n_points(cells.points_per_cell())
   {
     // Sort cells into affine batches and others; the last batch of each kind is filled up with
     // copies of its last cell, which get no weight.
+    const auto        reference = reference_nodes(cells);
     std::vector<bool> is_real;
     const auto        append = [&](const bool affine) {
       for (unsigned int cell = 0; cell < cells.size(); ++cell)
-        if (is_affine_cell(&cells.points[std::size_t(cell) * 3 * n_nodes], cells.degree) == affine)
+        if (is_affine_cell(&cells.points[std::size_t(cell) * 3 * n_nodes],
+                           reference,
+                           cells.degree) == affine)
           {
             order.push_back(cell);
             is_real.push_back(true);
@@ -80,10 +106,10 @@ namespace Signorini
     my_fills.resize(n_batches * width);
     if (n_batches == 0)
       return;
-    // Affine batches have ten numbers a cell, all others ten for each Gauss point. The offsets
-    // follow from first_of(), so that the end of the last entry is the size.
+    // Affine batches have ten numbers a cell, all others ten for each integration point. The
+    // offsets follow from first_of(), so that the end of the last entry is the size.
     my_geometry.resize(n_batches == n_affine ? first_of(n_affine - 1, 0) + 10 * width :
-                                               first_of(n_batches - 1, n_nodes - 1) + 10 * width);
+                                               first_of(n_batches - 1, n_points - 1) + 10 * width);
     // Interleave the data of the cells of a batch: lane w of batch b has the cell in slot b W + w.
     for (std::size_t slot = 0; slot < order.size(); ++slot)
       {

@@ -101,7 +101,7 @@ namespace Signorini
     {
       constexpr std::size_t numbers = 10;
       const std::size_t     before =
-        is_affine(batch) ? batch : n_affine + (batch - n_affine) * n_nodes + q;
+        is_affine(batch) ? batch : n_affine + (batch - n_affine) * n_points + q;
       return before * numbers * width;
     }
 
@@ -109,7 +109,7 @@ namespace Signorini
     using Array = std::vector<Number, boost::alignment::aligned_allocator<Number, 64>>;
 
     const KernelCells         *my_cells;
-    const std::size_t          width, n_nodes;
+    const std::size_t          width, n_nodes, n_points;
     std::size_t                n_batches = 0, n_affine = 0;
     std::vector<std::uint32_t> order; ///< the cell at each place
     std::vector<std::uint32_t> my_nodes;

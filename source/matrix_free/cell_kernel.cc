@@ -16,6 +16,7 @@
 #include <hwy/foreach_target.h> // first
 #include <hwy/highway.h>
 #include "matrix_free/cell_lattice.h"
+#include "matrix_free/cell_simplex.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -53,10 +54,12 @@ namespace Signorini
     };
 
     /// Products, diagonals and eigenvalues of isotropic linear elastic cells. Affine cells have one
-    /// geometry for the whole cell and use Legendre modes (apply_to_modes()), the others one at
-    /// each Gauss point and sum factorisation. Does not refer to the cells after construction.
-    template <typename Number, int degree>
-    class Kernel final : public CellSweep<Kernel<Number, degree>, Number, degree>
+    /// geometry for the whole cell and use Legendre modes (apply_to_modes()) or the gradients at
+    /// the vertices (apply_to_vertices()), the others one at each quadrature point. Does not refer
+    /// to the cells after construction.
+    /// @tparam Cell CellLattice or CellSimplex
+    template <typename Number, typename Cell>
+    class Kernel final : public CellSweep<Kernel<Number, Cell>, Number, Cell>
     {
     public:
       explicit Kernel(const KernelCells &cells)
@@ -68,14 +71,15 @@ namespace Signorini
       }
 
     private:
-      using Lattice                = CellLattice<Number, degree>;
-      using Values                 = typename Lattice::Values;
-      using Gradients              = typename Lattice::Gradients;
-      using V                      = typename Lattice::V;
-      static constexpr int W       = Lattice::W;
-      static constexpr int n_nodes = Lattice::n_nodes;
-      friend Lattice;
-      friend CellSweep<Kernel, Number, degree>;
+      using Values                  = typename Cell::Values;
+      using Gradients               = typename Cell::Gradients;
+      using V                       = typename Cell::V;
+      static constexpr int W        = Cell::W;
+      static constexpr int n_nodes  = Cell::n_nodes;
+      static constexpr int n_points = Cell::n_points;
+      static constexpr int degree   = Cell::degree;
+      friend Cell;
+      friend CellSweep<Kernel, Number, Cell>;
 
       /// The geometry at a point: inverse[d][c] = dxi_d/dx_c, and the weight: the quadrature weight
       /// times det J; of affine batches det J alone.
@@ -101,7 +105,7 @@ namespace Signorini
       HWY_INLINE V
       weight(const std::size_t b, const int q, const Geometry &at) const
       {
-        return batches.is_affine(b) ? hn::Mul(at.weight, all(lattice.unit_weight(q))) : at.weight;
+        return batches.is_affine(b) ? hn::Mul(at.weight, all(reference.unit_weight(q))) : at.weight;
       }
 
       HWY_INLINE IsotropicLaw<Number>
@@ -110,37 +114,37 @@ namespace Signorini
         return {load(batches.material(b)), load(batches.material(b) + W)};
       }
 
-      /// At each point replace the gradients in reference coordinates by the stresses times the
-      /// weight, transformed back to reference coordinates: G = (du/dxi) J^-1, then (S J^-T) w. For
-      /// batches that are not affine.
-      HWY_INLINE void
-      stresses(const std::size_t b, Gradients &g) const
+      /// At a point replace the gradient in reference coordinates by the stress times a weight,
+      /// transformed back to reference coordinates: G = (du/dxi) J^-1, then (S J^-T) w.
+      /// @param g [component][direction][point][cell]
+      template <int n>
+      static HWY_INLINE void
+      to_stress(const Geometry             &at,
+                const V                     weight,
+                const IsotropicLaw<Number> &stress,
+                const int                   q,
+                Number (&g)[3][3][n][W])
       {
-        const IsotropicLaw<Number> stress = law(b);
-        for (int q = 0; q < n_nodes; ++q)
-          {
-            const Geometry at = geometry(b, q);
-            V              G[3][3], S[3][3];
-            // du_c/dx_k from the derivatives in reference coordinates, by the chain rule.
-            for (int c = 0; c < 3; ++c)
-              for (int k = 0; k < 3; ++k)
-                {
-                  G[c][k] = hn::Mul(load(g.of[c][0][q]), at.inverse[0][k]);
-                  G[c][k] = hn::MulAdd(load(g.of[c][1][q]), at.inverse[1][k], G[c][k]);
-                  G[c][k] = hn::MulAdd(load(g.of[c][2][q]), at.inverse[2][k], G[c][k]);
-                }
-            stress(at.weight, G, S);
-            // The transposed of this, so that the result multiplies derivatives of shape functions
-            // in reference coordinates.
-            for (int c = 0; c < 3; ++c)
-              for (int d = 0; d < 3; ++d)
-                {
-                  V sum = hn::Mul(S[c][0], at.inverse[d][0]);
-                  sum   = hn::MulAdd(S[c][1], at.inverse[d][1], sum);
-                  sum   = hn::MulAdd(S[c][2], at.inverse[d][2], sum);
-                  store(sum, g.of[c][d][q]);
-                }
-          }
+        V G[3][3], S[3][3];
+        // du_c/dx_k from the derivatives in reference coordinates, by the chain rule.
+        for (int c = 0; c < 3; ++c)
+          for (int k = 0; k < 3; ++k)
+            {
+              G[c][k] = hn::Mul(load(g[c][0][q]), at.inverse[0][k]);
+              G[c][k] = hn::MulAdd(load(g[c][1][q]), at.inverse[1][k], G[c][k]);
+              G[c][k] = hn::MulAdd(load(g[c][2][q]), at.inverse[2][k], G[c][k]);
+            }
+        stress(weight, G, S);
+        // The transposed of this, so that the result multiplies derivatives of shape functions in
+        // reference coordinates.
+        for (int c = 0; c < 3; ++c)
+          for (int d = 0; d < 3; ++d)
+            {
+              V sum = hn::Mul(S[c][0], at.inverse[d][0]);
+              sum   = hn::MulAdd(S[c][1], at.inverse[d][1], sum);
+              sum   = hn::MulAdd(S[c][2], at.inverse[d][2], sum);
+              store(sum, g[c][d][q]);
+            }
       }
 
       /// u = K_e u of a batch: gradients at the points, stresses, and their transposed evaluation
@@ -150,11 +154,38 @@ namespace Signorini
       apply(const std::size_t b, Values &u) const
       {
         if (batches.is_affine(b))
-          return apply_to_modes(b, u);
-        Gradients g;
-        lattice.evaluate_gradients(u, g);
-        stresses(b, g);
-        lattice.integrate_gradients(g, u);
+          {
+            if constexpr (Cell::is_simplex)
+              apply_to_vertices(b, u);
+            else
+              apply_to_modes(b, u);
+            return;
+          }
+        const IsotropicLaw<Number> stress = law(b);
+        Gradients                  g;
+        reference.evaluate_gradients(u, g);
+        for (int q = 0; q < n_points; ++q)
+          {
+            const Geometry at = geometry(b, q);
+            to_stress(at, at.weight, stress, q, g.of);
+          }
+        reference.integrate_gradients(g, u);
+      }
+
+      /// The same product for affine tetrahedra of constant moduli: gradients and stresses are
+      /// linear, so that their values at the vertices suffice, and are integrated exactly.
+      HWY_INLINE void
+      apply_to_vertices(const std::size_t b, Values &u) const
+      {
+        const Geometry                 at     = geometry(b, 0);
+        const IsotropicLaw<Number>     stress = law(b);
+        const V                        volume = hn::Mul(at.weight, all(Cell::unit_volume));
+        typename Cell::VertexGradients g;
+        Cell::evaluate_at_vertices(u, g);
+        for (int v = 0; v < Cell::n_vertices; ++v)
+          to_stress(at, volume, stress, v, g.of);
+        Cell::average(g);
+        Cell::integrate_from_vertices(g, u);
       }
 
       /// The same product for affine cells of constant moduli, in Legendre polynomials: products of
@@ -171,11 +202,11 @@ namespace Signorini
           for (int d = 0; d < 3; ++d)
             for (int k = 0; k < 3; ++k)
               modes.inverse[i][d][k] =
-                hn::Mul(at.inverse[d][k], all(Lattice::legendre.derivatives[i]));
-        Lattice::to_all_modes(u);
-        Lattice::set_zero(modes.f);
-        Lattice::add_modes(*this, modes);
-        Lattice::from_all_modes(modes.f, u);
+                hn::Mul(at.inverse[d][k], all(Cell::legendre.derivatives[i]));
+        Cell::to_all_modes(u);
+        Cell::set_zero(modes.f);
+        Cell::add_modes(*this, modes);
+        Cell::from_all_modes(modes.f, u);
       }
 
       /// Coefficients of the displacement and of the forces in Legendre polynomials, and what is
@@ -196,12 +227,12 @@ namespace Signorini
       HWY_INLINE void
       add_mode(Modes &modes) const
       {
-        constexpr int i[3]      = {Lattice::mode_degree(T, 0),
-                                   Lattice::mode_degree(T, 1),
-                                   Lattice::mode_degree(T, 2)};
-        constexpr int stride[3] = {Lattice::mode_stride(0),
-                                   Lattice::mode_stride(1),
-                                   Lattice::mode_stride(2)};
+        constexpr int i[3]      = {Cell::mode_degree(T, 0),
+                                   Cell::mode_degree(T, 1),
+                                   Cell::mode_degree(T, 2)};
+        constexpr int stride[3] = {Cell::mode_stride(0),
+                                   Cell::mode_stride(1),
+                                   Cell::mode_stride(2)};
         V             G[3][3], S[3][3];
         for (int c = 0; c < 3; ++c)
           for (int k = 0; k < 3; ++k)
@@ -214,7 +245,7 @@ namespace Signorini
                 for (int k = 0; k < 3; ++k)
                   G[c][k] = hn::MulAdd(u, modes.inverse[i[d]][d][k], G[c][k]);
               }
-        modes.law(hn::Mul(modes.volume, all(Lattice::mode_weight(T))), G, S);
+        modes.law(hn::Mul(modes.volume, all(Cell::mode_weight(T))), G, S);
         for (int d = 0; d < 3; ++d)
           if (i[d] < degree)
             for (int c = 0; c < 3; ++c)
@@ -239,8 +270,8 @@ namespace Signorini
             for (int w = 0; w < W; ++w)
               x.of[c][i][w] = batches.point(b, w, i, c);
         Gradients J; // dx_c/dxi_d
-        lattice.evaluate_gradients(x, J);
-        for (int q = 0; q < (batches.is_affine(b) ? 1 : n_nodes); ++q)
+        reference.evaluate_gradients(x, J);
+        for (int q = 0; q < (batches.is_affine(b) ? 1 : n_points); ++q)
           {
             Number *const to = batches.geometry(b, q);
             // Indices are cyclic, so that one formula yields all cofactors with their signs.
@@ -257,7 +288,7 @@ namespace Signorini
                 store(hn::Div(cofactor[c][d], det), to + (3 * d + c) * W);
             // Copies that fill up a batch have the factor zero and add nothing to sums.
             const V whole = hn::Mul(det, load(batches.fills(b)));
-            store(batches.is_affine(b) ? whole : hn::Mul(whole, all(lattice.unit_weight(q))),
+            store(batches.is_affine(b) ? whole : hn::Mul(whole, all(reference.unit_weight(q))),
                   to + 9 * W);
           }
       }
@@ -271,11 +302,11 @@ namespace Signorini
         for (int i = 0; i < n_nodes; ++i)
           {
             V sum[3] = {hn::Zero(Tag<Number>()), hn::Zero(Tag<Number>()), hn::Zero(Tag<Number>())};
-            for (int q = 0; q < n_nodes; ++q)
+            for (int q = 0; q < n_points; ++q)
               {
                 const Geometry at = geometry(b, batches.is_affine(b) ? 0 : q);
                 Number         unit[3];
-                lattice.unit_gradient(q, i, unit);
+                reference.unit_gradient(q, i, unit);
                 V G[3], square = hn::Zero(Tag<Number>());
                 for (int k = 0; k < 3; ++k)
                   {
@@ -297,18 +328,23 @@ namespace Signorini
           }
       }
 
-      const Lattice   lattice;
+      const Cell      reference;
       Batches<Number> batches;
     };
 
-    /// The kernel of the degree of the cells, 1 or 2.
+    /// The kernel of the shape and the degree of the cells, 1 or 2.
     template <typename Number>
     std::unique_ptr<CellKernel<Number>>
     make(const KernelCells &cells)
     {
+      constexpr int most = largest_kernel_degree;
+      if (cells.are_tetrahedra && cells.degree == 1)
+        return std::make_unique<Kernel<Number, CellSimplex<Number, 1>>>(cells);
+      if (cells.are_tetrahedra)
+        return std::make_unique<Kernel<Number, CellSimplex<Number, most>>>(cells);
       if (cells.degree == 1)
-        return std::make_unique<Kernel<Number, 1>>(cells);
-      return std::make_unique<Kernel<Number, largest_kernel_degree>>(cells);
+        return std::make_unique<Kernel<Number, CellLattice<Number, 1>>>(cells);
+      return std::make_unique<Kernel<Number, CellLattice<Number, most>>>(cells);
     }
 
     std::unique_ptr<CellKernel<double>>

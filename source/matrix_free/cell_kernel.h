@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "matrix_free/kernel_tables.h"
 #include "solid/cell_tangents.h"
 
 #include <cstddef>
@@ -15,11 +16,13 @@ namespace Signorini
   /// the components of a node consecutively.
   constexpr unsigned int largest_kernel_degree = 2;
 
-  /// Hexahedra of one degree with geometry and moduli. A cell has (degree + 1)^3 nodes, in
-  /// lexicographic order with x fastest, which are also those of its geometry.
+  /// Hexahedra or tetrahedra of one degree with geometry and moduli. A hexahedron has (degree +
+  /// 1)^3 nodes, in lexicographic order with x fastest, a tetrahedron 4 or 10: vertices, then
+  /// middles of the edges 01, 12, 20, 03, 13, 23. They are also those of its geometry.
   struct KernelCells
   {
-    unsigned int degree = 1;
+    unsigned int degree         = 1;
+    bool         are_tetrahedra = false;
     /// [cell][node]: the position of the first component of the node in vectors.
     std::vector<std::uint32_t> nodes;
     /// [cell][node][component]: positions in the reference configuration [length].
@@ -28,7 +31,7 @@ namespace Signorini
     std::vector<double> lambda, mu;
 
     /// Tangents in place of positions and moduli: [cell][point], one for each cell or one for each
-    /// of its integration points, in reference coordinates and with weights.
+    /// of its points_per_cell(), in reference coordinates and with weights.
     CellTangents tangents;
 
     /// The number of cells.
@@ -49,15 +52,29 @@ namespace Signorini
     unsigned int
     nodes_per_cell() const
     {
+      if (are_tetrahedra)
+        return degree == 1 ? 4 : 10;
       return (degree + 1) * (degree + 1) * (degree + 1);
+    }
+
+    /// The number of integration points of each cell: of hexahedra as many as nodes, of tetrahedra
+    /// those of SimplexTables.
+    unsigned int
+    points_per_cell() const
+    {
+      if (are_tetrahedra)
+        return degree == 1 ? SimplexTables<double, 1>::n_points :
+                             SimplexTables<double, 2>::n_points;
+      return nodes_per_cell();
     }
   };
 
-  /// Products with the stiffness of hexahedra without element matrices, of linear elasticity or of
-  /// tangents: the integrals int sigma(u):eps(v) dV are evaluated for each u by sum factorisation
-  /// (Orszag, J. Comput. Phys. 37 (1980) 70-92; Kronbichler, Kormann, ACM Trans. Math. Softw. 45
-  /// (2019) 29; doc/theory, 7.9), for batches of as many cells as a vector of the processor has
-  /// lanes, with degree + 1 Gauss points in each direction.
+  /// Products with the stiffness of cells without element matrices, of linear elasticity or of
+  /// tangents: the integrals int sigma(u):eps(v) dV are evaluated for each u, for batches of as
+  /// many cells as a vector of the processor has lanes. Hexahedra have degree + 1 Gauss points in
+  /// each direction and sum factorisation (Orszag, J. Comput. Phys. 37 (1980) 70-92; Kronbichler,
+  /// Kormann, ACM Trans. Math. Softw. 45 (2019) 29; doc/theory, 7.9); of tetrahedra the gradients
+  /// are linear and follow from those at the vertices.
   ///
   /// Vectors are arrays of one rank, with the three components of a node consecutive. Constraints
   /// are not applied here.

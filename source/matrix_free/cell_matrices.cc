@@ -11,7 +11,8 @@ namespace Signorini
     : n_dofs(3 * cells.nodes_per_cell())
   {
     KernelCells apart;
-    apart.degree = cells.degree;
+    apart.degree         = cells.degree;
+    apart.are_tetrahedra = cells.are_tetrahedra;
     for (const unsigned int cell : which)
       {
         for (unsigned int i = 0; i < n_dofs; i += 3)

@@ -6,7 +6,6 @@
 #include "matrix_free/cell_matrices.h"
 #include "solid/cell_nodes.h"
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -22,17 +21,29 @@ namespace Signorini
   {
     constexpr int dim = 3;
 
-    /// Of the degrees of freedom of a cell, the first components of its nodes, in lexicographic
-    /// order of the nodes. Throws if the components of a node are not consecutive.
+    /// The nodes of an element in the order of kernels: lexicographic in hexahedra, in tetrahedra
+    /// that of deal.II.
     std::vector<unsigned int>
-    lexicographic_nodes(const FiniteElement<dim> &fe)
+    ordered_nodes(const FiniteElement<dim> &fe)
     {
-      // deal.II numbers the nodes of a cell by vertices, lines, quads and interior; kernels use
-      // tensor products and need them line by line. Kernels access a node by its first degree of
-      // freedom only, therefore its components have to be consecutive.
-      const auto               &scalar = dynamic_cast<const FE_Q<dim> &>(fe.base_element(0));
+      // deal.II numbers the nodes of a cell by vertices, lines, quads and interior; kernels of
+      // hexahedra use tensor products and need them line by line.
+      if (const auto *scalar = dynamic_cast<const FE_Q<dim> *>(&fe.base_element(0)))
+        return scalar->get_poly_space_numbering_inverse();
+      std::vector<unsigned int> result(fe.base_element(0).n_dofs_per_cell());
+      std::iota(result.begin(), result.end(), 0);
+      return result;
+    }
+
+    /// Of the degrees of freedom of a cell, the first components of its nodes, in the order of
+    /// kernels. Throws if the components of a node are not consecutive.
+    std::vector<unsigned int>
+    first_components(const FiniteElement<dim> &fe)
+    {
+      // Kernels access a node by its first degree of freedom only, therefore its components have to
+      // be consecutive.
       std::vector<unsigned int> result;
-      for (const unsigned int node : scalar.get_poly_space_numbering_inverse())
+      for (const unsigned int node : ordered_nodes(fe))
         {
           result.push_back(fe.component_to_system_index(0, node));
           for (unsigned int c = 1; c < dim; ++c)
@@ -57,10 +68,11 @@ namespace Signorini
     cells_of(const Elasticity<dim> &elasticity, const unsigned int element)
     {
       const FiniteElement<dim>            &fe    = elasticity.finite_elements()[element];
-      const std::vector<unsigned int>      nodes = lexicographic_nodes(fe);
+      const std::vector<unsigned int>      nodes = first_components(fe);
       KernelCells                          cells;
       std::vector<types::global_dof_index> indices;
-      cells.degree = fe.degree;
+      cells.degree         = fe.degree;
+      cells.are_tetrahedra = fe.reference_cell().is_simplex();
       for_cells(elasticity, element, [&](const auto &cell) {
         read_indices<dim>(cell, indices);
         for (const unsigned int i : nodes)
@@ -73,11 +85,17 @@ namespace Signorini
     void
     add_materials(const Elasticity<dim> &elasticity, const unsigned int element, KernelCells &cells)
     {
-      // The lattice points of the mapping, in lexicographic order as the nodes. FE_Nothing: no
-      // shape functions are needed, positions only.
-      const QIterated<dim>  lattice(QTrapezoid<1>(), cells.degree);
-      const FE_Nothing<dim> nothing;
-      FEValues<dim> places(elasticity.mesh().mapping(), nothing, lattice, update_quadrature_points);
+      // Where the mapping places the nodes of the reference cell. FE_Nothing: no shape functions
+      // are needed, positions only.
+      const FiniteElement<dim> &fe = elasticity.finite_elements()[element];
+      std::vector<Point<dim>>   nodes;
+      for (const unsigned int node : ordered_nodes(fe))
+        nodes.push_back(fe.base_element(0).unit_support_point(node));
+      const FE_Nothing<dim> nothing(fe.reference_cell());
+      FEValues<dim>         places(elasticity.mesh().mapping(),
+                           nothing,
+                           Quadrature<dim>(nodes),
+                           update_quadrature_points);
       for_cells(elasticity, element, [&](const auto &cell) {
         places.reinit(static_cast<const Triangulation<dim>::cell_iterator &>(cell));
         for (const Point<dim> &x : places.get_quadrature_points())

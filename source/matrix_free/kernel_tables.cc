@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "matrix_free/kernel_tables.h"
 
+#include "geometry/cell_rule.h"
+
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -32,8 +34,39 @@ namespace Signorini
 
 
 
+  template <typename Number, int degree>
+  SimplexTables<Number, degree>::SimplexTables()
+  {
+    if constexpr (degree == 1)
+      {
+        values[0][0] = 1;
+        weights[0]   = Number(1. / 6);
+      }
+    else
+      {
+        const Quadrature<3> &rule = cell_rule<3>(ReferenceCells::Tetrahedron, degree + 1);
+        AssertThrow(rule.size() == n_points, ExcInternalError());
+        for (int q = 0; q < n_points; ++q)
+          {
+            weights[q]   = rule.weight(q);
+            values[q][0] = 1;
+            for (int d = 0; d < 3; ++d)
+              {
+                values[q][d + 1] = rule.point(q)[d];
+                values[q][0] -= values[q][d + 1];
+              }
+          }
+      }
+  }
+
+
+
   template struct KernelTables<float, 1>;
   template struct KernelTables<float, 2>;
   template struct KernelTables<double, 1>;
   template struct KernelTables<double, 2>;
+  template struct SimplexTables<float, 1>;
+  template struct SimplexTables<float, 2>;
+  template struct SimplexTables<double, 1>;
+  template struct SimplexTables<double, 2>;
 } // namespace Signorini

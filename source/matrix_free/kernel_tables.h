@@ -20,6 +20,21 @@ namespace Signorini
     Number weights[n];
   };
 
+  /// The quadrature rule of the stiffness of tetrahedra, exact for polynomials of degree 5; for
+  /// degree 1, whose gradients are constant, one point.
+  template <typename Number, int degree>
+  struct SimplexTables
+  {
+    static constexpr int n_points = degree == 1 ? 1 : 14;
+
+    SimplexTables();
+
+    /// [point][vertex]: barycentric coordinates; for degree 1 one.
+    Number values[n_points][degree == 1 ? 1 : 4];
+    /// Quadrature weights; their sum is the volume of the reference cell, 1/6.
+    Number weights[n_points];
+  };
+
   /// Scaling of the Legendre polynomials L_i(2 x - 1): functions of the degree have coefficients
   /// kappa_i m_i, where the m_i follow from values at the nodes by small integers (see to_modes());
   /// kappa = 1/2, 1/2 for degree 1, and 1/6, 1/2, 1/3 for degree 2.

@@ -18,17 +18,15 @@ namespace Signorini
     // where kernels exist, if there are multigrid levels of meshes or degrees or the bodies are
     // nonlinear, unless the preconditioner needs the matrix.
     const auto &triangulation = elasticity.mesh().triangulation();
-    const bool  is_possible   = dim == 3 && !elasticity.mesh().has_simplices() &&
-                             elasticity.degree() <= largest_kernel_degree &&
+    const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
                              !has_follower_pressures(elasticity),
                // Without levels of spaces the hierarchy consists of aggregates of the matrix, which
                // has to be assembled anyway.
       has_levels =
         elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
-      throw SceneError(
-        "Solver/Operator = matrix-free is available in 3D only, for hexahedra of degree 1 and 2, "
-        "without follower pressures; set auto or assembled");
+      throw SceneError("Solver/Operator = matrix-free is available in 3D only, for degree 1 and 2, "
+                       "without follower pressures; set auto or assembled");
     return wanted.value_or(is_possible && (has_levels || elasticity.is_nonlinear()) &&
                                !needs_matrix ?
                              StiffnessForm::matrix_free :

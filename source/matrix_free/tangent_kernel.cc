@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h> // first
 #include <hwy/highway.h>
 #include "matrix_free/cell_lattice.h"
+#include "matrix_free/cell_simplex.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -33,39 +34,61 @@ namespace Signorini
         return hn::PromoteTo(Tag<double>(), hn::Load(hn::Rebind<float, Tag<double>>(), from));
     }
 
-    /// Products with one mean tangent for each cell (in reference coordinates, with weights), in
-    /// Legendre polynomials: for multigrid levels, in single precision.
-    template <typename Number, int degree>
-    class MeanTangentKernel final
-      : public CellSweep<MeanTangentKernel<Number, degree>, Number, degree>
+    /// At a point replace the gradient by its product with a tangent.
+    /// @param g [component][direction][point][cell]
+    template <typename Number, int n, int W>
+    HWY_INLINE void
+    to_stress(const float *const tangent, const int q, Number (&g)[3][3][n][W])
+    {
+      Lanes<Number> G[9];
+      for (int m = 0; m < 9; ++m)
+        G[m] = load(g[m / 3][m % 3][q]);
+      for (int m = 0; m < 9; ++m)
+        {
+          Lanes<Number> sum = hn::Zero(Tag<Number>());
+          for (int k = 0; k < 9; ++k)
+            sum = hn::MulAdd(load_single_precision<Number>(tangent + tangent_number(m, k) * W),
+                             G[k],
+                             sum);
+          store(sum, g[m / 3][m % 3][q]);
+        }
+    }
+
+    /// Products with one tangent for each cell, integrated over it (in reference coordinates, with
+    /// weights), in Legendre polynomials, or by the gradients at vertices of tetrahedra: for
+    /// multigrid levels, in single precision.
+    template <typename Number, typename Cell>
+    class MeanTangentKernel final : public CellSweep<MeanTangentKernel<Number, Cell>, Number, Cell>
     {
     public:
       explicit MeanTangentKernel(const KernelCells &cells)
         : batches(cells, W)
-      // Integrals for diagonals; they are over the unit cell.
+      // Integrals for diagonals; the tangents have the volume of the reference cell in them.
       {
         for (int i = 0; i < n_nodes; ++i)
           for (int d = 0; d < 3; ++d)
             for (int e = 0; e < 3; ++e)
               {
                 products[i][d][e] = 0;
-                for (int q = 0; q < n_nodes; ++q)
+                for (int q = 0; q < n_points; ++q)
                   {
                     Number gradient[3];
-                    lattice.unit_gradient(q, i, gradient);
-                    products[i][d][e] += lattice.unit_weight(q) * gradient[d] * gradient[e];
+                    reference.unit_gradient(q, i, gradient);
+                    products[i][d][e] +=
+                      reference.unit_weight(q) / Cell::unit_volume * gradient[d] * gradient[e];
                   }
               }
       }
 
     private:
-      using Lattice                = CellLattice<Number, degree>;
-      using Values                 = typename Lattice::Values;
-      using V                      = typename Lattice::V;
-      static constexpr int W       = Lattice::W;
-      static constexpr int n_nodes = Lattice::n_nodes;
-      friend Lattice;
-      friend CellSweep<MeanTangentKernel, Number, degree>;
+      using Values                  = typename Cell::Values;
+      using V                       = typename Cell::V;
+      static constexpr int W        = Cell::W;
+      static constexpr int n_nodes  = Cell::n_nodes;
+      static constexpr int n_points = Cell::n_points;
+      static constexpr int degree   = Cell::degree;
+      friend Cell;
+      friend CellSweep<MeanTangentKernel, Number, Cell>;
 
       struct Modes
       {
@@ -77,13 +100,30 @@ namespace Signorini
       HWY_INLINE void
       apply(const std::size_t b, Values &u) const
       {
+        if constexpr (Cell::is_simplex)
+          {
+            // Stresses are linear as gradients are.
+            typename Cell::VertexGradients g;
+            Cell::evaluate_at_vertices(u, g);
+            for (int v = 0; v < Cell::n_vertices; ++v)
+              to_stress<Number>(batches.tangent(b, 0), v, g.of);
+            Cell::average(g);
+            Cell::integrate_from_vertices(g, u);
+          }
+        else
+          apply_to_modes(b, u);
+      }
+
+      HWY_INLINE void
+      apply_to_modes(const std::size_t b, Values &u) const
+      {
         // To coefficients in Legendre polynomials, the contribution of each polynomial of the
         // gradient, and back by the transposed transformation.
         Modes modes{u, {}, batches.tangent(b, 0)};
-        Lattice::to_all_modes(u);
-        Lattice::set_zero(modes.f);
-        Lattice::add_modes(*this, modes);
-        Lattice::from_all_modes(modes.f, u);
+        Cell::to_all_modes(u);
+        Cell::set_zero(modes.f);
+        Cell::add_modes(*this, modes);
+        Cell::from_all_modes(modes.f, u);
       }
 
       /// Add to f the gradient's component along L_T, see Kernel::add_mode().
@@ -91,13 +131,13 @@ namespace Signorini
       HWY_INLINE void
       add_mode(Modes &modes) const
       {
-        constexpr int i[3]      = {Lattice::mode_degree(T, 0),
-                                   Lattice::mode_degree(T, 1),
-                                   Lattice::mode_degree(T, 2)};
-        constexpr int stride[3] = {Lattice::mode_stride(0),
-                                   Lattice::mode_stride(1),
-                                   Lattice::mode_stride(2)};
-        const V       weight    = all(Lattice::mode_weight(T));
+        constexpr int i[3]      = {Cell::mode_degree(T, 0),
+                                   Cell::mode_degree(T, 1),
+                                   Cell::mode_degree(T, 2)};
+        constexpr int stride[3] = {Cell::mode_stride(0),
+                                   Cell::mode_stride(1),
+                                   Cell::mode_stride(2)};
+        const V       weight    = all(Cell::mode_weight(T));
         // The nine coefficients of du_c/dxi_d along L_T: the derivative in direction d of the
         // polynomial that has one degree more in that direction. Polynomials of the highest degree
         // have no such neighbour; the coefficient is zero, and is skipped here and below.
@@ -106,7 +146,7 @@ namespace Signorini
           for (int d = 0; d < 3; ++d)
             if (i[d] < degree)
               G[3 * c + d] = hn::Mul(load(modes.u.of[c][T + stride[d]]),
-                                     hn::Mul(weight, all(Lattice::legendre.derivatives[i[d]])));
+                                     hn::Mul(weight, all(Cell::legendre.derivatives[i[d]])));
         for (int c = 0; c < 3; ++c)
           for (int d = 0; d < 3; ++d)
             if (i[d] < degree)
@@ -122,7 +162,7 @@ namespace Signorini
                                      G[m],
                                      sum);
                 Number *f = modes.f.of[c][T + stride[d]];
-                store(hn::MulAdd(sum, all(Lattice::legendre.derivatives[i[d]]), load(f)), f);
+                store(hn::MulAdd(sum, all(Cell::legendre.derivatives[i[d]]), load(f)), f);
               }
       }
 
@@ -146,18 +186,18 @@ namespace Signorini
             }
       }
 
-      const Lattice        lattice;
+      const Cell           reference;
       const TangentBatches batches;
 
       /// int dN_i/dxi_d dN_i/dxi_e over the unit cell: [node][d][e].
       Number products[n_nodes][3][3];
     };
 
-    /// Products with one tangent for each Gauss point, by sum factorisation: the consistent tangent
-    /// of Newton's method at finite strain.
-    template <typename Number, int degree>
+    /// Products with one tangent for each quadrature point: the consistent tangent of Newton's
+    /// method at finite strain.
+    template <typename Number, typename Cell>
     class PointTangentKernel final
-      : public CellSweep<PointTangentKernel<Number, degree>, Number, degree>
+      : public CellSweep<PointTangentKernel<Number, Cell>, Number, Cell>
     {
     public:
       explicit PointTangentKernel(const KernelCells &cells)
@@ -165,13 +205,14 @@ namespace Signorini
       {}
 
     private:
-      using Lattice                = CellLattice<Number, degree>;
-      using Values                 = typename Lattice::Values;
-      using V                      = typename Lattice::V;
-      static constexpr int W       = Lattice::W;
-      static constexpr int n_nodes = Lattice::n_nodes;
-      friend Lattice;
-      friend CellSweep<PointTangentKernel, Number, degree>;
+      using Values                  = typename Cell::Values;
+      using V                       = typename Cell::V;
+      static constexpr int W        = Cell::W;
+      static constexpr int n_nodes  = Cell::n_nodes;
+      static constexpr int n_points = Cell::n_points;
+      static constexpr int degree   = Cell::degree;
+      friend Cell;
+      friend CellSweep<PointTangentKernel, Number, Cell>;
 
       HWY_INLINE void
       apply(const std::size_t b, Values &u) const
@@ -179,26 +220,11 @@ namespace Signorini
         // Gradients in reference coordinates at all Gauss points, the stress of each point in place
         // of its gradient, and the transposed evaluation. Geometry and quadrature weights are in
         // the tangents, so that the kernel has no data of the mesh.
-        typename Lattice::Gradients g;
-        lattice.evaluate_gradients(u, g);
-        for (int q = 0; q < n_nodes; ++q)
-          {
-            const float *const tangent = batches.tangent(b, q);
-            V                  G[9];
-            for (int m = 0; m < 9; ++m)
-              G[m] = load(g.of[m / 3][m % 3][q]);
-            for (int m = 0; m < 9; ++m)
-              {
-                V sum = hn::Zero(Tag<Number>());
-                for (int k = 0; k < 9; ++k)
-                  sum =
-                    hn::MulAdd(load_single_precision<Number>(tangent + tangent_number(m, k) * W),
-                               G[k],
-                               sum);
-                store(sum, g.of[m / 3][m % 3][q]);
-              }
-          }
-        lattice.integrate_gradients(g, u);
+        typename Cell::Gradients g;
+        reference.evaluate_gradients(u, g);
+        for (int q = 0; q < n_points; ++q)
+          to_stress<Number>(batches.tangent(b, q), q, g.of);
+        reference.integrate_gradients(g, u);
       }
 
       void
@@ -207,10 +233,10 @@ namespace Signorini
         for (int i = 0; i < n_nodes; ++i)
           {
             V sum[3] = {hn::Zero(Tag<Number>()), hn::Zero(Tag<Number>()), hn::Zero(Tag<Number>())};
-            for (int q = 0; q < n_nodes; ++q)
+            for (int q = 0; q < n_points; ++q)
               {
                 Number gradient[3];
-                lattice.unit_gradient(q, i, gradient);
+                reference.unit_gradient(q, i, gradient);
                 const float *const tangent = batches.tangent(b, q);
                 for (int c = 0; c < 3; ++c)
                   for (int d = 0; d < 3; ++d)
@@ -225,29 +251,35 @@ namespace Signorini
           }
       }
 
-      const Lattice        lattice;
+      const Cell           reference;
       const TangentBatches batches;
     };
 
     // All instruction sets of both files are in one namespace, so that names of templates here must
     // differ from those in cell_kernel.cc.
-    template <typename Number, int degree>
+    template <typename Number, typename Cell>
     std::unique_ptr<CellKernel<Number>>
-    make_tangent_kernel_of_degree(const KernelCells &cells)
+    make_tangent_kernel_of_shape(const KernelCells &cells)
     {
-      // One tangent for each cell is a mean; otherwise there is one for each Gauss point.
+      // One tangent for each cell is an integral over it; otherwise there is one for each point.
       if (cells.tangents.size() == cells.size())
-        return std::make_unique<MeanTangentKernel<Number, degree>>(cells);
-      return std::make_unique<PointTangentKernel<Number, degree>>(cells);
+        return std::make_unique<MeanTangentKernel<Number, Cell>>(cells);
+      return std::make_unique<PointTangentKernel<Number, Cell>>(cells);
     }
 
     template <typename Number>
     std::unique_ptr<CellKernel<Number>>
     make_tangent_kernel_of(const KernelCells &cells)
     {
+      constexpr int most = largest_kernel_degree;
+      // Gradients in tetrahedra of degree 1 are constant, with one tangent for each cell.
+      if (cells.are_tetrahedra && cells.degree == 1)
+        return std::make_unique<MeanTangentKernel<Number, CellSimplex<Number, 1>>>(cells);
+      if (cells.are_tetrahedra)
+        return make_tangent_kernel_of_shape<Number, CellSimplex<Number, most>>(cells);
       if (cells.degree == 1)
-        return make_tangent_kernel_of_degree<Number, 1>(cells);
-      return make_tangent_kernel_of_degree<Number, largest_kernel_degree>(cells);
+        return make_tangent_kernel_of_shape<Number, CellLattice<Number, 1>>(cells);
+      return make_tangent_kernel_of_shape<Number, CellLattice<Number, most>>(cells);
     }
 
     std::unique_ptr<CellKernel<double>>

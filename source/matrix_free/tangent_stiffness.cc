@@ -18,6 +18,17 @@ namespace Signorini
       else
         cells.emplace(space);
     }
+
+    /// The sum of the tangents of n points.
+    CellTangent
+    sum_of(const CellTangent *points, const std::size_t n)
+    {
+      CellTangent result{};
+      for (std::size_t q = 0; q < n; ++q)
+        for (unsigned int k = 0; k < n_tangent_numbers; ++k)
+          result[k] += points[q][k];
+      return result;
+    }
   } // namespace
 
 
@@ -44,8 +55,7 @@ namespace Signorini
     for (KernelCells &cells : space.cells)
       {
         cells.tangents.clear();
-        // Each Gauss point has a tangent, and there are as many of them as nodes in a cell.
-        cells.tangents.reserve(std::size_t(cells.size()) * cells.nodes_per_cell());
+        cells.tangents.reserve(std::size_t(cells.size()) * cells.points_per_cell());
       }
     Vector<double> values;
     CellTangents   points;
@@ -56,8 +66,11 @@ namespace Signorini
           cell->get_dof_values(next, values);
           if (!kernel.tangents(cell, elasticity.material(cell->material_id()), values, points))
             return elasticity.mesh().body_name(elasticity.mesh().body(cell));
-          CellTangents &tangents = space.cells[cell->active_fe_index()].tangents;
-          tangents.insert(tangents.end(), points.begin(), points.end());
+          KernelCells &cells = space.cells[cell->active_fe_index()];
+          // Kernels of constant gradients have one point, the integrals have more of them.
+          if (cells.points_per_cell() == 1)
+            points = {sum_of(points.data(), points.size())};
+          cells.tangents.insert(cells.tangents.end(), points.begin(), points.end());
         }
     return {};
   }
@@ -77,11 +90,10 @@ namespace Signorini
     // Weights are in the tangents, so that the mean over the cell is the sum over its points.
     for (KernelCells &cells : space.cells)
       {
-        const std::size_t n_points = cells.nodes_per_cell();
-        CellTangents      sums(cells.size(), CellTangent{});
-        for (std::size_t point = 0; point < cells.tangents.size(); ++point)
-          for (unsigned int k = 0; k < n_tangent_numbers; ++k)
-            sums[point / n_points][k] += cells.tangents[point][k];
+        const std::size_t n_points = cells.points_per_cell();
+        CellTangents      sums;
+        for (unsigned int cell = 0; cell < cells.size(); ++cell)
+          sums.push_back(sum_of(&cells.tangents[cell * n_points], n_points));
         cells.tangents = std::move(sums);
       }
     set(in_single_precision, space);

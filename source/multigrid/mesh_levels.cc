@@ -23,7 +23,7 @@ namespace Signorini
     void
     add_material(const Cell &cell, const Material &material, KernelCells &cells)
     {
-      for (unsigned int v = 0; v < n_corners; ++v)
+      for (const unsigned int v : cell->vertex_indices())
         cells.points.insert(cells.points.end(),
                             cell->vertex(v).begin_raw(),
                             cell->vertex(v).end_raw());
@@ -368,14 +368,16 @@ namespace Signorini
     space.comm           = elasticity.mesh().communicator();
     space.diagonal_terms = linear.terms;
     space.constraints.copy_from(linear.constraints);
-    space.cells.emplace_back();
+    // Hexahedra, then tetrahedra if there are any.
+    space.cells.resize(elasticity.mesh().has_simplices() ? 2 : 1);
+    space.cells.back().are_tetrahedra = elasticity.mesh().has_simplices();
     for (const auto &cell : linear.dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          KernelCells &cells = space.cells.front();
-          for (unsigned int v = 0; v < n_corners; ++v)
-            // Corners in the order of deal.II are lexicographic, as kernels of degree one need
-            // them.
+          KernelCells &cells = space.cells[cell->reference_cell().is_simplex() ? 1 : 0];
+          // Corners in the order of deal.II are those of kernels of degree one, for hexahedra
+          // lexicographic.
+          for (const unsigned int v : cell->vertex_indices())
             cells.nodes.push_back(cell->vertex_dof_index(v, 0, cell->active_fe_index()));
           if (linear.tangents)
             cells.tangents.push_back((*linear.tangents)[cell->active_cell_index()]);

@@ -111,8 +111,6 @@ namespace Signorini
         return "Bodies/" + other.name + "/Refinements";
     if (scene.mesh.distribution == Distribution::p4est)
       return "Mesh/Distribution = p4est";
-    if (scene.solver.stiffness_form == StiffnessForm::matrix_free)
-      return "Solver/Operator = matrix-free";
     if (body.degree == 1 || (body.degree == 0 && scene.degree_is_set && scene.degree == 1))
       return "Degree = 1";
     for (const Material *material : body.materials())

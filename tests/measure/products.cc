@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // How fast kernels multiply, in each instruction set of this processor, beside what its memory
-// bears.
+// bears, the assembled matrix, and the class MatrixFree of deal.II.
 //
 //   products [refinements of a cube, 5] [seconds for each number, 0.5]
 //
 // One process. Affine cells are a cube's; general ones are the same with their vertices moved; then
-// tangents, one a cell and one a point.
+// tangents, one a cell and one a point. A row in which the set is "matrix" is the product with the
+// assembled matrix, one with "deal.II" that of MatrixFree, whose instruction set is the one deal.II
+// was compiled for.
 
+#include "linear_algebra/values.h"
 #include "matrix_free/cell_kernel.h"
+#include "matrix_free/cell_space.h"
 #include "matrix_free/instruction_sets.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/matrix_free.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
 
 using namespace dealii;
 using namespace Signorini;
@@ -30,42 +40,101 @@ namespace
 {
   constexpr int dim = 3;
 
-  /// Of a cube, refined that often, numbered as the program does.
-  KernelCells
-  cells_of_cube(const unsigned int degree, const unsigned int refinements, const bool affine)
+  /// A cube of hexahedra, refined that often, or of tetrahedra with about as many nodes.
+  class Cube
   {
+  public:
+    Cube(const unsigned int degree,
+         const unsigned int refinements,
+         const bool         of_tetrahedra,
+         const bool         affine)
+      : of_tetrahedra(of_tetrahedra)
+      , affine(affine)
+      , degree(degree)
+      , dofs(triangulation)
+    {
+      if (of_tetrahedra)
+        GridGenerator::subdivided_hyper_cube_with_simplices(triangulation, 1u << refinements);
+      else
+        {
+          GridGenerator::hyper_cube(triangulation);
+          triangulation.refine_global(refinements);
+        }
+      if (!affine && !of_tetrahedra)
+        GridTools::transform(
+          [](const Point<dim> &x) {
+            return x + 0.1 * Point<dim>(x[1] * x[2], x[0] * x[2], x[0] * x[1]);
+          },
+          triangulation);
+      if (of_tetrahedra)
+        dofs.distribute_dofs(FESystem<dim>(FE_SimplexP<dim>(degree), dim));
+      else
+        dofs.distribute_dofs(FESystem<dim>(FE_Q<dim>(degree), dim));
+    }
+
+    /// Numbered as the program does.
+    KernelCells
+    cells() const
+    {
+      const auto               &element = dofs.get_fe(), &scalar = element.base_element(0);
+      std::vector<unsigned int> nodes(scalar.n_dofs_per_cell());
+      std::iota(nodes.begin(), nodes.end(), 0);
+      if (const auto *fe = dynamic_cast<const FE_Q<dim> *>(&scalar))
+        nodes = fe->get_poly_space_numbering_inverse();
+      std::vector<types::global_dof_index> indices(element.n_dofs_per_cell());
+      KernelCells                          result;
+      result.degree         = degree;
+      result.are_tetrahedra = of_tetrahedra;
+      for (const auto &cell : dofs.active_cell_iterators())
+        {
+          cell->get_dof_indices(indices);
+          for (const unsigned int node : nodes)
+            {
+              result.nodes.push_back(indices[element.component_to_system_index(0, node)]);
+              // Multilinear in the vertices, as the mapping is.
+              Point<dim> x;
+              for (const unsigned int v : cell->vertex_indices())
+                x +=
+                  element.reference_cell().d_linear_shape_function(scalar.unit_support_point(node),
+                                                                   v) *
+                  cell->vertex(v);
+              // Edges of curved tetrahedra.
+              if (of_tetrahedra && !affine && node >= dim + 1)
+                x[0] += 0.02 * cell->diameter() * std::sin(10 * x[1]);
+              result.points.insert(result.points.end(), x.begin_raw(), x.end_raw());
+            }
+          result.lambda.push_back(1);
+          result.mu.push_back(1);
+        }
+      return result;
+    }
+
+    const bool         of_tetrahedra, affine;
+    const unsigned int degree;
     Triangulation<dim> triangulation;
-    GridGenerator::hyper_cube(triangulation);
-    triangulation.refine_global(refinements);
-    if (!affine)
-      GridTools::transform(
-        [](const Point<dim> &x) {
-          return x + 0.1 * Point<dim>(x[1] * x[2], x[0] * x[2], x[0] * x[1]);
-        },
-        triangulation);
-    const FESystem<dim> element(FE_Q<dim>(degree), dim);
-    DoFHandler<dim>     dofs(triangulation);
-    dofs.distribute_dofs(element);
-    const auto         &scalar  = dynamic_cast<const FE_Q<dim> &>(element.base_element(0));
-    const auto          lattice = scalar.get_poly_space_numbering_inverse();
-    const MappingQ<dim> mapping(1);
-    std::vector<types::global_dof_index> indices(element.n_dofs_per_cell());
-    KernelCells                          cells;
-    cells.degree = degree;
-    for (const auto &cell : dofs.active_cell_iterators())
-      {
-        cell->get_dof_indices(indices);
-        for (const unsigned int node : lattice)
-          {
-            cells.nodes.push_back(indices[element.component_to_system_index(0, node)]);
-            const Point<dim> x =
-              mapping.transform_unit_to_real_cell(cell, scalar.unit_support_point(node));
-            cells.points.insert(cells.points.end(), x.begin_raw(), x.end_raw());
-          }
-        cells.lambda.push_back(1);
-        cells.mu.push_back(1);
-      }
-    return cells;
+    DoFHandler<dim>    dofs;
+  };
+
+  void
+  print(const Cube  &cube,
+        const char  *precision,
+        const char  *shape,
+        const char  *set,
+        const double time,
+        const double bytes)
+  {
+    const double n = cube.dofs.n_dofs();
+    std::printf("%-11s %6u  %-9s  %-8s  %-8s  %10.0f  %8.0f  %9.0f  %6.1f\n",
+                cube.of_tetrahedra ? "tetrahedra" : "hexahedra",
+                cube.degree,
+                precision,
+                shape,
+                set,
+                n,
+                n / time / 1e6,
+                bytes / n,
+                bytes / time / 1e9);
+    std::fflush(stdout);
   }
 
   /// Of one call, the quickest of many.
@@ -90,32 +159,97 @@ namespace
 
   template <typename Number>
   void
-  measure(const KernelCells &cells,
+  measure(const Cube        &cube,
+          const KernelCells &cells,
           const char        *precision,
           const char        *shape,
           const std::string &set,
           const double       time)
   {
-    const auto  kernel = CellKernel<Number>::create(cells, set);
-    std::size_t n_dofs = 0;
-    for (const auto node : cells.nodes)
-      n_dofs = std::max<std::size_t>(n_dofs, node + 3);
+    const auto        kernel = CellKernel<Number>::create(cells, set);
+    const std::size_t n      = cube.dofs.n_dofs();
     // A kernel may read one element behind the last one.
-    std::vector<Number> u(n_dofs + 1, 1), f(n_dofs + 1, 0);
-    for (std::size_t i = 0; i < n_dofs; ++i)
+    std::vector<Number> u(n + 1, 1), f(n + 1, 0);
+    for (std::size_t i = 0; i < n; ++i)
       u[i] = Number(i % 7) - 3;
-    const double t     = seconds(time, [&] { kernel->add_product(f.data(), u.data()); });
-    const double bytes = kernel->memory_consumption() + 3. * n_dofs * sizeof(Number);
-    std::printf("%6u  %-9s  %-8s  %-8s  %10zu  %8.0f  %9.0f  %6.1f\n",
-                cells.degree,
-                precision,
-                shape,
-                set.c_str(),
-                n_dofs,
-                n_dofs / t / 1e6,
-                bytes / n_dofs,
-                bytes / t / 1e9);
-    std::fflush(stdout);
+    print(cube,
+          precision,
+          shape,
+          set.c_str(),
+          seconds(time, [&] { kernel->add_product(f.data(), u.data()); }),
+          kernel->memory_consumption() + 3. * n * sizeof(Number));
+  }
+
+  /// Of the assembled matrix.
+  void
+  measure_matrix(const Cube &cube, KernelCells cells, const char *shape, const double time)
+  {
+    const IndexSet all = complete_index_set(cube.dofs.n_dofs());
+    CellSpace space{all, {std::move(cells)}, {}, LA::Vector(all, MPI_COMM_SELF), MPI_COMM_SELF};
+    space.constraints.close();
+    LA::SparseMatrix K;
+    assemble(space, K);
+    LA::Vector u(all, MPI_COMM_SELF), f(all, MPI_COMM_SELF);
+    u = 1.;
+    print(cube,
+          "double",
+          shape,
+          "matrix",
+          seconds(time, [&] { K.vmult(f, u); }),
+          12. * K.n_nonzero_elements() + 16. * all.size());
+  }
+
+  /// Of the class of deal.II. @tparam degree -1 for tetrahedra, of any degree
+  template <int degree, typename Number>
+  void
+  measure_deal_ii(const Cube &cube, const char *precision, const char *shape, const double time)
+  {
+    using Field = LinearAlgebra::distributed::Vector<Number>;
+    MatrixFree<dim, Number>   data;
+    AffineConstraints<Number> constraints;
+    constraints.close();
+    typename MatrixFree<dim, Number>::AdditionalData settings;
+    settings.tasks_parallel_scheme = MatrixFree<dim, Number>::AdditionalData::none;
+    if constexpr (degree < 0)
+      data.reinit(MappingFE<dim>(FE_SimplexP<dim>(1)),
+                  cube.dofs,
+                  constraints,
+                  QGaussSimplex<dim>(cube.degree),
+                  settings);
+    else
+      data.reinit(MappingQ<dim>(1), cube.dofs, constraints, QGauss<1>(degree + 1), settings);
+    Field u, f;
+    data.initialize_dof_vector(u);
+    data.initialize_dof_vector(f);
+    u                  = Number(1);
+    const auto product = [](const auto &of, Field &dst, const Field &src, const auto &range) {
+      FEEvaluation<dim, degree, degree + 1, dim, Number> at(of, range);
+      for (unsigned int cell = range.first; cell < range.second; ++cell)
+        {
+          at.reinit(cell);
+          at.gather_evaluate(src, EvaluationFlags::gradients);
+          for (const unsigned int q : at.quadrature_point_indices())
+            {
+              auto       stress   = Number(2) * at.get_symmetric_gradient(q);
+              const auto pressure = trace(stress) * Number(0.5);
+              for (unsigned int c = 0; c < dim; ++c)
+                stress[c][c] += pressure;
+              at.submit_symmetric_gradient(stress, q);
+            }
+          at.integrate_scatter(EvaluationFlags::gradients, dst);
+        }
+    };
+    const std::function<void(const MatrixFree<dim, Number> &,
+                             Field &,
+                             const Field &,
+                             const std::pair<unsigned int, unsigned int> &)>
+      act = product;
+    print(cube,
+          precision,
+          shape,
+          "deal.II",
+          seconds(time, [&] { data.cell_loop(act, f, u, true); }),
+          data.memory_consumption() + 3. * u.size() * sizeof(Number));
   }
 
   void
@@ -136,34 +270,59 @@ namespace
 
 
 int
-main(const int argc, char **argv)
+main(int argc, char **argv)
 {
-  const unsigned int refinements = argc > 1 ? std::atoi(argv[1]) : 5;
-  const double       time        = argc > 2 ? std::atof(argv[2]) : 0.5;
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const unsigned int                     refinements = argc > 1 ? std::atoi(argv[1]) : 5;
+  const double                           time        = argc > 2 ? std::atof(argv[2]) : 0.5;
   measure_memory(time);
-  std::printf("degree  precision  cells     set             dofs   Mdofs/s  bytes/dof    GB/s\n");
-  for (const unsigned int degree : {1u, 2u})
-    for (const bool affine : {true, false})
+  std::printf(
+    "cells       degree  precision  shape     set             dofs   Mdofs/s  bytes/dof    GB/s\n");
+  for (const bool of_tetrahedra : {false, true})
+    for (const unsigned int degree : {1u, 2u})
       {
-        const KernelCells cells = cells_of_cube(degree, refinements + (degree == 1), affine);
-        for (const std::string &set : instruction_sets())
+        for (const bool affine : {true, false})
           {
-            const char *shape = affine ? "affine" : "general";
-            measure<double>(cells, "double", shape, set, time);
-            measure<float>(cells, "float", shape, set, time);
+            // Tetrahedra of degree 1 are always affine.
+            if (of_tetrahedra && degree == 1 && !affine)
+              continue;
+            const Cube        cube(degree, refinements + (degree == 1), of_tetrahedra, affine);
+            const char *const shape = affine ? "affine" : "general";
+            const KernelCells cells = cube.cells();
+            for (const std::string &set : instruction_sets())
+              {
+                measure<double>(cube, cells, "double", shape, set, time);
+                measure<float>(cube, cells, "float", shape, set, time);
+              }
+            if (of_tetrahedra && affine)
+              {
+                measure_deal_ii<-1, double>(cube, "double", shape, time);
+                measure_deal_ii<-1, float>(cube, "float", shape, time);
+              }
+            else if (!of_tetrahedra && degree == 1)
+              {
+                measure_deal_ii<1, double>(cube, "double", shape, time);
+                measure_deal_ii<1, float>(cube, "float", shape, time);
+              }
+            else if (!of_tetrahedra)
+              {
+                measure_deal_ii<2, double>(cube, "double", shape, time);
+                measure_deal_ii<2, float>(cube, "float", shape, time);
+              }
+            measure_matrix(cube, cells, shape, time);
           }
-      }
-  for (const unsigned int degree : {1u, 2u})
-    for (const bool one_a_cell : {true, false})
-      {
-        KernelCells       cells   = cells_of_cube(degree, refinements + (degree == 1), true);
-        const std::size_t n_cells = cells.size();
-        cells.tangents.assign(n_cells * (one_a_cell ? 1 : cells.nodes_per_cell()), CellTangent());
-        for (const std::string &set : instruction_sets())
+        for (const bool one_a_cell : {true, false})
           {
-            const char *shape = one_a_cell ? "mean" : "points";
-            measure<double>(cells, "double", shape, set, time);
-            measure<float>(cells, "float", shape, set, time);
+            const Cube  cube(degree, refinements + (degree == 1), of_tetrahedra, true);
+            KernelCells cells = cube.cells();
+            cells.tangents.assign(cells.size() * (one_a_cell ? 1 : cells.points_per_cell()),
+                                  CellTangent());
+            const char *const shape = one_a_cell ? "mean" : "points";
+            for (const std::string &set : instruction_sets())
+              {
+                measure<double>(cube, cells, "double", shape, set, time);
+                measure<float>(cube, cells, "float", shape, set, time);
+              }
           }
       }
 }
