@@ -13,15 +13,6 @@ namespace Signorini
     /// twice the number of iterations.
     constexpr double nearly_incompressible = 0.48;
 
-    /// @return Mesh/Degree as it holds for bodies: with Method = auto it counts as not chosen
-    /// unless it is set.
-    template <int dim>
-    unsigned int
-    degree_of_all(const Scene<dim> &scene)
-    {
-      return scene.contact.is_automatic() && !scene.degree_is_set ? 0 : scene.degree;
-    }
-
     /// @return why a material cannot be in displacement-pressure form, and what to do about it;
     /// empty if it can.
     template <int dim>
@@ -32,7 +23,7 @@ namespace Signorini
         return "the mixed formulation is not available for Model = plane stress, which does not lock";
       // The degree 0 of a body means that it has none of its own, and that the degree of the mesh
       // holds.
-      if (body.degree == 1 || (body.degree == 0 && scene.degree_is_set && scene.degree == 1))
+      if (body.degree == 1 || (body.degree == 0 && scene.degree == 1))
         return "the pressure of degree 1 is not stable (inf-sup condition); set Degree = 2";
       if (!(material.poissons_ratio > 0))
         return "requires a Poisson's ratio above 0";
@@ -111,7 +102,7 @@ namespace Signorini
         return "Bodies/" + other.name + "/Refinements";
     if (scene.mesh.distribution == Distribution::p4est)
       return "Mesh/Distribution = p4est";
-    if (body.degree == 1 || (body.degree == 0 && scene.degree_is_set && scene.degree == 1))
+    if (body.degree == 1 || (body.degree == 0 && scene.degree == 1))
       return "Degree = 1";
     for (const Material *material : body.materials())
       {
@@ -138,8 +129,8 @@ namespace Signorini
     for (const Body<dim> &body : scene.bodies)
       {
         const std::string place   = "Bodies/" + body.name;
-        const bool        is_open = body.degree == 0 && (!scene.degree_is_set || scene.degree == 0);
-        unsigned int      degree  = body.degree > 0 ? body.degree : degree_of_all(scene);
+        unsigned int      degree  = body.degree > 0 ? body.degree : scene.degree;
+        const bool        is_open = degree == 0;
         if (is_open && body.mesh.generator->degree_of_elements() > 0)
           degree = body.mesh.generator->degree_of_elements();
         std::vector<bool> &flags = has_pressure_field.emplace_back();
@@ -160,7 +151,7 @@ namespace Signorini
     if (!scene.contact.is_automatic())
       return;
     reason = scene.contact.chosen_name() + ", which has no parameter and no penetration";
-    if (!scene.degree_is_set)
+    if (scene.degree == 0)
       reason += scene.goals.has_targets() ?
                   "; degree 1, or degree 2 for bodies whose errors are far above the target" :
                   "; degree 1, since there is no Target error";
@@ -379,9 +370,9 @@ namespace Signorini
     const Decisions<dim> before(scene);
     Scene<dim>           result = scene;
     result.contact.method       = scene.contact.chosen_name();
-    result.degree               = degree_of_all(scene);
+    result.degree               = scene.degree;
     for (unsigned int body = 0; body < result.bodies.size(); ++body)
-      if (before.degrees[body] != std::max(degree_of_all(scene), 1u))
+      if (before.degrees[body] != std::max(scene.degree, 1u))
         result.bodies[body].degree = before.degrees[body];
     return result;
   }

@@ -193,13 +193,12 @@ namespace Signorini
       "Refinement, partitioning and polynomial degree of the meshes of all bodies.",
       [&](Section &s) {
         mesh.declare(s);
-        if (s.reading())
-          degree_is_set = s.is_set("Degree");
         s.add(
           "Degree",
           degree,
-          "polynomial degree of the displacement of bodies without a Degree of their own; 0: degree 1, and degree 2 for "
-          "those for which that is cheaper for the Accuracy/Target error",
+          "polynomial degree of the displacement of bodies without a Degree of their own; 0: that of the elements of "
+          "triangles and tetrahedra that are kept; otherwise degree 1, or degree 2 for bodies for which that is cheaper for "
+          "the Accuracy/Target error",
           Range{0, 2});
       });
     section.add_section(

@@ -88,6 +88,9 @@ def quadratic_where_it_pays(test):
     results = test.results(SCENES / scene, wanted(quantity, "Accuracy/Target error=2e-3", "Contact method/Method=auto") + soft, 2)
     reached(test, results, quantity, exact)
     test.check(results["degrees"] == {"block": 2, "pad": 1}, f"the degrees are {results['degrees']}")
+    # With any method: three rings need few large cells of degree 2, or many of degree 1.
+    rings = test.results(SCENES / "spun-rings.prm", ["Accuracy/Target error=1e-3"])
+    test.check(set(rings["degrees"].values()) == {2} and rings["dofs"] < 4000, f"{rings['degrees']}, {rings['dofs']} degrees of freedom")
     rough = test.results(SCENES / scene, wanted(quantity, "Accuracy/Target error=5e-2", "Contact method/Method=auto"))
     test.check(rough["degrees"] == {"block": 1}, f"the degrees are {rough['degrees']}")
 

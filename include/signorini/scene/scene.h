@@ -118,9 +118,7 @@ namespace Signorini
     bool              auto_pairs = false;
     MeshSettings<dim> mesh;
     /// Degree of bodies without one of their own; 0: chosen by the target.
-    unsigned int degree = 1;
-    /// Whether the user has set `degree`.
-    bool                        degree_is_set = false;
+    unsigned int                degree = 0;
     ContactSettings             contact;
     Goals                       goals;
     RefinementSettings          refinement;
