@@ -3,7 +3,7 @@
 
 import itertools
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from case import SCENES, Case
 from patch import EXACT, uniform
@@ -23,6 +23,7 @@ class Grid:
     names: tuple = ("left", "right", "front", "back", "bottom", "top")
     is_straight: bool = False  # nodes between corners are in the middle of straight edges
     is_turned: bool = False  # elements begin with any of three corners in turn
+    is_mixed: bool = False  # hexahedra of 20 nodes, and pairs of wedges of 15 in their place in turn
 
     def place(self, node):
         def image(node):
@@ -32,9 +33,33 @@ class Grid:
         ends = (image([c + sign * (c % 2) for c in node]) for sign in (-1, 1))
         return tuple((a + b) / 2 for a, b in zip(*ends))
 
+    def other_cells(self):
+        """Type and nodes of hexahedra and wedges: corners at the bottom and at the top, the middles of edges there, and between."""
+        for cell in itertools.product(*map(range, reversed(self.n))):
+            low = [2 * c for c in reversed(cell)]
+            square = [(low[0] + 2 * i, low[1] + 2 * j) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            is_cut = sum(cell[1:]) % 2  # in columns, so that triangles lie on triangles
+            for around in ((square[:3], [square[0], *square[2:]]) if is_cut else (square,)):
+                middles = [((a[0] + b[0]) // 2, (a[1] + b[1]) // 2) for a, b in zip(around, around[1:] + around[:1])]
+                yield f"C3D{5 * len(around)}", [(*x, low[2] + z) for places, heights in ((around, (0, 2)), (middles, (0, 2)), (around, (1,)))
+                                               for z in heights for x in places]
+
+    def mixed_text(self):
+        numbers, of_type = {}, {}
+        for kind, nodes in self.other_cells():
+            of_type.setdefault(kind, []).append([numbers.setdefault(node, len(numbers) + 1) for node in nodes])
+        lines, number = [], 0
+        for kind, elements in of_type.items():
+            lines.append(f"*ELEMENT, TYPE={kind}, ELSET=ALL")
+            for nodes in elements:
+                number += 1
+                row = list(map(str, (number, *nodes)))
+                lines += [", ".join(row[:16]) + "," * (len(row) > 16)] + [", ".join(row[16:])] * (len(row) > 16)
+        return numbers, lines
+
     def text(self):
         m, numbers, elements = self.order, {}, []
-        for cell in itertools.product(*map(range, reversed(self.n))):
+        for cell in () if self.is_mixed else itertools.product(*map(range, reversed(self.n))):
             for way in itertools.permutations(range(3)):
                 corners = [tuple(m * c for c in reversed(cell))]
                 for axis in way:
@@ -49,11 +74,14 @@ class Grid:
                     nodes += [tuple((corners[a][k] + corners[b][k]) // 2 for k in range(3))
                               for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
                 elements.append([numbers.setdefault(node, len(numbers) + 1) for node in nodes])
+        cells = [f"*ELEMENT, TYPE={'C3D4' if m == 1 else 'C3D10'}, ELSET=ALL"]
+        cells += [f"{e + 1}, " + ", ".join(map(str, nodes)) for e, nodes in enumerate(elements)]
+        if self.is_mixed:
+            numbers, cells = self.mixed_text()
         lines = ["*NODE"]
         for node, number in numbers.items():
             lines.append(f"{number}, " + ", ".join(map(repr, self.place(node))))
-        lines.append(f"*ELEMENT, TYPE={'C3D4' if m == 1 else 'C3D10'}, ELSET=ALL")
-        lines += [f"{e + 1}, " + ", ".join(map(str, nodes)) for e, nodes in enumerate(elements)]
+        lines += cells
         ends = ((axis, end) for axis in range(3) for end in (0, m * self.n[axis]))
         for name, (axis, end) in zip(self.names, ends):
             lines += [f"*NSET, NSET={name}"] + [f"{number}," for node, number in numbers.items() if node[axis] == end]
@@ -94,6 +122,8 @@ def cases():
         yield Case("tetrahedra/hertz", name, hertz(METHODS[name]), labels={"full"})
     yield Case("tetrahedra/hertz", "standard", hertz(STANDARD, (0.2, 0.03)), labels={"full"})
     yield Case("tetrahedra/numbering", "numbering", numbering)
+    for i, name in enumerate(("multiplier", "nitsche")):
+        yield Case("tetrahedra/mixed", name, mixed(METHODS[name], 1 + i), 1 + i)
     yield Case("tetrahedra/cells", "automatic", automatic)
     yield Case("tetrahedra/operators", "operators", operators, 2)
     yield Case("tetrahedra/locking", "locking", locking)
@@ -136,6 +166,16 @@ def hertz(sets, most=(4e-2, 1e-2)):
             errors.append(abs(one["value"] / one["reference"] - 1))
             test.print(f"{n:3} {errors[-1]:.2e}")
         test.check(errors[0] <= most[0] and errors[1] <= most[1], f"errors {errors}, larger than {most}")
+    return body
+
+
+def mixed(sets, ranks):
+    """Wedges and hexahedra of second order become tetrahedra: the patch test."""
+    def body(test):
+        def grid(keys, order, factor):
+            return replace(box(keys, order, factor), is_mixed=True) if "set Corners" in keys else None
+        scene = with_triangles(test, SCENES / "patch-3d.prm", 2, grid_of=grid)
+        uniform(scene.resolve().with_suffix(""), sets, EXACT["patch-3d"], exact=1e-6, spread=1e-9, ranks=ranks)(test)
     return body
 
 

@@ -161,6 +161,26 @@ namespace Signorini
 
 
 
+    /// @return whether cells of a part, not only tetrahedra, become tetrahedra of second order with
+    /// the nodes that they have, and few more: all have nodes of second order, and not all are
+    /// hexahedra. In the plane cells are not cut.
+    template <int dim>
+    bool
+    can_be_cut(const MeshFile &file, const std::vector<unsigned int> &cells)
+    {
+      const auto has = [&](const auto &property) {
+        return std::any_of(cells.begin(), cells.end(), [&](const unsigned int c) {
+          return property(file.elements[c]);
+        });
+      };
+      return dim == 3 && !has([](const MeshFile::Element &one) {
+               return one.nodes.size() == n_corners(one.shape);
+             }) &&
+             has([](const MeshFile::Element &one) { return one.shape != cell_shape<dim>; });
+    }
+
+
+
     /// Throw SceneError if the cells of a part are not all of one shape that needs no division.
     /// @return whether they are triangles or tetrahedra
     template <int dim>
@@ -179,7 +199,7 @@ namespace Signorini
       throw SceneError("has " + std::to_string(n_simplices) + " " + simplices + " among " +
                        std::to_string(cells.size()) + " cells; a body may consist of " + simplices +
                        " or " + others + ", not of both" +
-                       (dim == 3 ? ", and not of wedges or pyramids" : "") +
+                       (dim == 3 ? ", and not of wedges or pyramids of first order" : "") +
                        ": set Cells = " + others);
     }
 
@@ -266,6 +286,8 @@ namespace Signorini
       const MeshFile::Element &element = all.elements[c];
       return element.shape == simplex_shape<dim> && element.nodes.size() > n_corners(element.shape);
     };
+    if (cells == CellChoice::as_in_file && can_be_cut<dim>(all, chosen))
+      return true;
     if (cells == CellChoice::as_in_file)
       {
         const bool are_kept = are_simplices<dim>(all, chosen);
@@ -277,13 +299,16 @@ namespace Signorini
             hypercubes);
         return are_kept;
       }
+    const bool are_all_simplices = std::all_of(chosen.begin(), chosen.end(), are_second_order);
     if (cells == CellChoice::hypercubes || !mid_side_nodes ||
-        !std::all_of(chosen.begin(), chosen.end(), are_second_order))
+        (!are_all_simplices && !can_be_cut<dim>(all, chosen)))
       return false;
+    const std::string they = are_all_simplices ? simplices : "cells";
     notes.push_back(needs_hypercubes.empty() ?
-                      "the " + simplices + " of second order are kept; Cells = " + hypercubes +
-                        " divides them" :
-                      "the " + simplices + " of second order are divided, as " + needs_hypercubes +
+                      "the " + they + " of second order " +
+                        (are_all_simplices ? "are kept" : "become tetrahedra") +
+                        "; Cells = " + hypercubes + " divides them" :
+                      "the " + they + " of second order are divided, as " + needs_hypercubes +
                         " needs " + hypercubes);
     return needs_hypercubes.empty();
   }
@@ -309,9 +334,20 @@ namespace Signorini
         result.coinciding_nodes = CoincidingPoints::refuse;
         result.node_distance    = 0;
       }
-    append(are_kept ? check_simplices(all, chosen, dim) :
-                      divide_cells(all, dim, selection.part, mid_side_nodes),
-           notes);
+    if (are_kept)
+      {
+        const bool are_cut = std::any_of(chosen.begin(), chosen.end(), [&](const unsigned int c) {
+          return all.elements[c].shape != simplex_shape<dim>;
+        });
+        if (are_cut)
+          append(cut_into_tetrahedra(all, selection.part, mid_side_nodes), notes);
+        append(check_simplices(all,
+                               are_cut ? cells_of_part(all, dim, selection.part) : chosen,
+                               dim),
+               notes);
+      }
+    else
+      append(divide_cells(all, dim, selection.part, mid_side_nodes), notes);
     return result;
   }
 

@@ -57,7 +57,8 @@ namespace Signorini
         "the mixed formulation, internal variables, or degree 1" :
         "hexahedra: tetrahedra, wedges and pyramids are divided into hexahedra; as in file: "
         "tetrahedra are kept, with the degrees of freedom of the file and without refinement; "
-        "automatic: tetrahedra of second order are kept, unless the scene asks for adaptive or "
+        "wedges, pyramids and hexahedra of second order beside them are cut into tetrahedra; "
+        "automatic: the same for cells of second order, unless the scene asks for adaptive or "
         "refined meshes, the mixed formulation, internal variables, or degree 1");
     section.add("Boundaries",
                 selection.boundaries,

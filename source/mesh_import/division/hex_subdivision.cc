@@ -20,15 +20,20 @@ namespace Signorini
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
 
-    /// Midpoint subdivision of the chosen elements of a file, see divide_cells(). Cost: linear in
-    /// the number of elements, by hash tables of edges and faces.
+    /// Midpoint subdivision of the chosen elements of a file, see divide_cells(), or only their
+    /// division into tetrahedra, see cut_into_tetrahedra(). Cost: linear in the number of elements,
+    /// by hash tables of edges and faces.
     class HexSubdivision
     {
     public:
-      HexSubdivision(MeshFile &file, const unsigned int dim, const ChosenCells &chosen)
+      HexSubdivision(MeshFile          &file,
+                     const unsigned int dim,
+                     const ChosenCells &chosen,
+                     const bool         to_tetrahedra)
         : file(file)
         , dim(dim)
         , chosen(chosen)
+        , to_tetrahedra(to_tetrahedra)
         , centers(file)
         , report(file, dim)
       {}
@@ -55,7 +60,8 @@ namespace Signorini
         count_faces();
         std::vector<std::string> notes = {division_summary()};
         for (const std::string &note : divide_elements())
-          notes.push_back(note);
+          if (!to_tetrahedra) // their shapes are reported when it is known that they are kept
+            notes.push_back(note);
         centers.complete_node_sets();
         centers.complete_fields();
         return notes;
@@ -190,6 +196,8 @@ namespace Signorini
             if (n > 0)
               counts.push_back(counted(n, name));
           }
+        if (to_tetrahedra)
+          return join(counts) + " cut into " + std::to_string(cells.size()) + " tetrahedra";
         // Each cell has as many children as corners.
         for (const MeshFile::Element &cell : cells)
           n_children += n_corners(cell.shape);
@@ -228,7 +236,10 @@ namespace Signorini
             if (!chosen.all[e])
               elements.push_back(file.elements[e]);
             for (unsigned int c = first_cell[e]; c < first_cell[e + 1]; ++c)
-              divide(cells[c], file.elements[e], elements);
+              if (to_tetrahedra)
+                keep(cells[c], file.elements[e], elements);
+              else
+                divide(cells[c], file.elements[e], elements);
           }
         first.push_back(elements.size());
         for (MeshFile::Group &group : file.groups)
@@ -242,6 +253,24 @@ namespace Signorini
         const std::vector<std::string> notes = report.notes(); // while there are the elements
         file.elements                        = std::move(elements);
         return notes;
+      }
+
+      /// Append a tetrahedron to the list of elements, and record of which faces of the file its
+      /// faces at the boundary are parts.
+      void
+      keep(const MeshFile::Element        &cell,
+           const MeshFile::Element        &element,
+           std::vector<MeshFile::Element> &elements)
+      {
+        report.add(element, cell);
+        elements.push_back(cell);
+        for (const Nodes &places : CellShape::of(cell.shape).faces)
+          {
+            const Nodes face  = nodes_at(cell, places);
+            const auto  found = whole.find(Centers::key(face));
+            if (found != whole.end() && n_cells.at(Centers::key(face)) == 1)
+              file.whole_faces[sorted(face)] = found->second;
+          }
       }
 
       /// Append the children of one cell to the list of elements, one for each corner. Children of
@@ -377,6 +406,7 @@ namespace Signorini
       MeshFile          &file;
       const unsigned int dim;
       const ChosenCells &chosen;
+      const bool         to_tetrahedra;
       Centers            centers;
       ShapeReport        report;
 
@@ -404,6 +434,18 @@ namespace Signorini
     if (!chosen.any)
       return {};
     file.first_inserted = file.nodes.size();
-    return HexSubdivision(file, dim, chosen).divide(mid_side_nodes);
+    return HexSubdivision(file, dim, chosen, false).divide(mid_side_nodes);
+  }
+
+
+
+  std::vector<std::string>
+  cut_into_tetrahedra(MeshFile &file, const std::string &part, const bool mid_side_nodes)
+  {
+    ChosenCells chosen(file, 3, part);
+    for (const unsigned int e : cells_of_part(file, 3, part))
+      chosen.all[e] = chosen.as_tetrahedra[e] = true;
+    file.first_inserted = file.nodes.size();
+    return HexSubdivision(file, 3, chosen, true).divide(mid_side_nodes);
   }
 } // namespace Signorini
