@@ -161,26 +161,6 @@ namespace Signorini
 
 
 
-    /// @return whether cells of a part, not only tetrahedra, become tetrahedra of second order with
-    /// the nodes that they have, and few more: all have nodes of second order, and not all are
-    /// hexahedra. In the plane cells are not cut.
-    template <int dim>
-    bool
-    can_be_cut(const MeshFile &file, const std::vector<unsigned int> &cells)
-    {
-      const auto has = [&](const auto &property) {
-        return std::any_of(cells.begin(), cells.end(), [&](const unsigned int c) {
-          return property(file.elements[c]);
-        });
-      };
-      return dim == 3 && !has([](const MeshFile::Element &one) {
-               return one.nodes.size() == n_corners(one.shape);
-             }) &&
-             has([](const MeshFile::Element &one) { return one.shape != cell_shape<dim>; });
-    }
-
-
-
     /// Throw SceneError if the cells of a part are not all of one shape that needs no division.
     /// @return whether they are triangles or tetrahedra
     template <int dim>
@@ -201,29 +181,6 @@ namespace Signorini
                        " or " + others + ", not of both" +
                        (dim == 3 ? ", and not of wedges or pyramids of first order" : "") +
                        ": set Cells = " + others);
-    }
-
-
-
-    /// Throw SceneError if simplices that are kept are flat, or if neighbours of second order have
-    /// different nodes on their common edge.
-    /// @return a warning about nearly flat ones; none if there are none
-    std::vector<std::string>
-    check_simplices(MeshFile &file, const std::vector<unsigned int> &cells, const unsigned int dim)
-    {
-      Centers     centers(file);
-      ShapeReport report(file, dim);
-      for (const unsigned int c : cells)
-        {
-          const MeshFile::Element &element = file.elements[c];
-          if (element.nodes.size() > n_corners(element.shape))
-            centers.take(element);
-          report.add(element, element);
-        }
-      std::vector<std::string> notes = report.notes();
-      if (!notes.empty() && notes[0].rfind("warning", 0) != 0)
-        notes.clear(); // of shapes that are no matter
-      return notes;
     }
 
 
@@ -286,7 +243,7 @@ namespace Signorini
       const MeshFile::Element &element = all.elements[c];
       return element.shape == simplex_shape<dim> && element.nodes.size() > n_corners(element.shape);
     };
-    if (cells == CellChoice::as_in_file && can_be_cut<dim>(all, chosen))
+    if (cells == CellChoice::as_in_file && (dim == 3 && can_be_cut(all, chosen)))
       return true;
     if (cells == CellChoice::as_in_file)
       {
@@ -301,7 +258,7 @@ namespace Signorini
       }
     const bool are_all_simplices = std::all_of(chosen.begin(), chosen.end(), are_second_order);
     if (cells == CellChoice::hypercubes || !mid_side_nodes ||
-        (!are_all_simplices && !can_be_cut<dim>(all, chosen)))
+        (!are_all_simplices && !(dim == 3 && can_be_cut(all, chosen))))
       return false;
     const std::string they = are_all_simplices ? simplices : "cells";
     notes.push_back(needs_hypercubes.empty() ?

@@ -26,6 +26,22 @@ namespace Signorini
   std::vector<MeshFile::Nodes>
   triangles_of(const MeshFile::Nodes &around);
 
+  /// @return whether cells, not only tetrahedra, become tetrahedra of second order with the nodes
+  /// that they have, and few more: all have nodes of second order, and not all are hexahedra.
+  /// @param file the mesh
+  /// @param cells numbers of elements
+  bool
+  can_be_cut(const MeshFile &file, const std::vector<unsigned int> &cells);
+
+  /// Check triangles or tetrahedra that are not divided. Throws SceneError if some are flat, or if
+  /// neighbours of second order have different nodes on their common edge.
+  /// @param file the mesh
+  /// @param cells numbers of elements
+  /// @param dim 2 or 3
+  /// @return a warning about nearly flat ones; none if there are none
+  std::vector<std::string>
+  check_simplices(MeshFile &file, const std::vector<unsigned int> &cells, unsigned int dim);
+
   /// Collects the quality of the cells into which the elements of a file are divided. The scaled
   /// Jacobian at a corner is the volume (2D: area) that the unit vectors along its edges span: 1 in
   /// a cube, at least 0.71 in the parts of a regular tetrahedron, 0 where the cell is flat.
