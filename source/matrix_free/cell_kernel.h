@@ -30,8 +30,8 @@ namespace Signorini
     /// [cell]: Lamé constants [force/area].
     std::vector<double> lambda, mu;
 
-    /// Tangents in place of positions and moduli: [cell][point], one for each cell or one for each
-    /// of its points_per_cell(), in reference coordinates and with weights.
+    /// Tangents in place of positions and moduli, in reference coordinates and with weights: one
+    /// for each cell, integrated over it, or tangents_per_cell() of them: [cell][number].
     CellTangents tangents;
 
     /// The number of cells.
@@ -55,6 +55,16 @@ namespace Signorini
       if (are_tetrahedra)
         return degree == 1 ? 4 : 10;
       return (degree + 1) * (degree + 1) * (degree + 1);
+    }
+
+    /// The number of tangents of each cell: of hexahedra those of the Gauss points, of tetrahedra
+    /// the moments of SimplexTables.
+    unsigned int
+    tangents_per_cell() const
+    {
+      if (are_tetrahedra)
+        return degree == 1 ? 1 : SimplexTables<double, 2>::n_moments;
+      return nodes_per_cell();
     }
 
     /// The number of integration points of each cell: of hexahedra as many as nodes, of tetrahedra

@@ -175,19 +175,28 @@ namespace Signorini
       HWY_INLINE void
       unit_gradient(const int q, const int i, Number (&gradient)[3]) const
       {
+        for (int d = 0; d < 3; ++d)
+          gradient[d] = 0;
+        for (int v = 0; v < n_vertices; ++v)
+          {
+            Number at_vertex[3];
+            unit_gradient_at_vertex(v, i, at_vertex);
+            for (int d = 0; d < 3; ++d)
+              gradient[d] += tables.values[q][v] * at_vertex[d];
+          }
+      }
+
+      /// The same at a vertex.
+      static void
+      unit_gradient_at_vertex(const int v, const int i, Number (&gradient)[3])
+      {
         // Derivatives with respect to barycentric coordinates, as above.
         Number by[4] = {0, 0, 0, 0};
         for (int a = 0; a < 4; ++a)
-          {
-            if (i == a)
-              by[a] -= 1;
-            if constexpr (degree == 1)
-              by[a] = -by[a];
-            else
-              for (int b = 0; b < 4; ++b)
-                if (middle(a, b) == i)
-                  by[a] += 4 * tables.values[q][b];
-          }
+          if constexpr (degree == 1)
+            by[a] = i == a ? 1 : 0;
+          else
+            by[a] = (middle(a, v) == i ? 4 : 0) - (i == a ? 1 : 0);
         for (int d = 0; d < 3; ++d)
           gradient[d] = by[d + 1] - by[0];
       }

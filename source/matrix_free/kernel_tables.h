@@ -26,8 +26,25 @@ namespace Signorini
   struct SimplexTables
   {
     static constexpr int n_points = degree == 1 ? 1 : 14;
+    /// Of a function of the points, sum_q l_a l_b f_q for the pairs 00, 01, 11, 02, 12, 22, 03, ...
+    /// of vertices: gradients are linear, so that no more of a tangent is needed.
+    static constexpr int n_moments = degree == 1 ? 1 : 10;
 
     SimplexTables();
+
+    /// The factor of a point in a moment. @param a,b vertices
+    Number
+    moment_factor(const int q, const int a, const int b) const
+    {
+      return degree == 1 ? 1 : values[q][a] * values[q][b];
+    }
+
+    /// The number of a moment. @param a at least b
+    static constexpr int
+    moment(const int a, const int b)
+    {
+      return a * (a + 1) / 2 + b;
+    }
 
     /// [point][vertex]: barycentric coordinates; for degree 1 one.
     Number values[n_points][degree == 1 ? 1 : 4];

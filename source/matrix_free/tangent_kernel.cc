@@ -43,9 +43,11 @@ namespace Signorini
       Lanes<Number> G[9];
       for (int m = 0; m < 9; ++m)
         G[m] = load(g[m / 3][m % 3][q]);
+#pragma GCC unroll 9
       for (int m = 0; m < 9; ++m)
         {
           Lanes<Number> sum = hn::Zero(Tag<Number>());
+#pragma GCC unroll 9
           for (int k = 0; k < 9; ++k)
             sum = hn::MulAdd(load_single_precision<Number>(tangent + tangent_number(m, k) * W),
                              G[k],
@@ -193,8 +195,8 @@ namespace Signorini
       Number products[n_nodes][3][3];
     };
 
-    /// Products with one tangent for each quadrature point: the consistent tangent of Newton's
-    /// method at finite strain.
+    /// Products with one tangent for each quadrature point, or the moments of tetrahedra: the
+    /// consistent tangent of Newton's method at finite strain.
     template <typename Number, typename Cell>
     class PointTangentKernel final
       : public CellSweep<PointTangentKernel<Number, Cell>, Number, Cell>
@@ -220,6 +222,63 @@ namespace Signorini
         // Gradients in reference coordinates at all Gauss points, the stress of each point in place
         // of its gradient, and the transposed evaluation. Geometry and quadrature weights are in
         // the tangents, so that the kernel has no data of the mesh.
+        if constexpr (Cell::is_simplex)
+          return apply_moments(b, u);
+        else
+          apply_at_points(b, u);
+      }
+
+      /// Stresses integrated with the functions of the vertices, by the moments of the tangent.
+      HWY_INLINE void
+      apply_moments(const std::size_t b, Values &u) const
+      {
+        typename Cell::VertexGradients g, s;
+        Cell::evaluate_at_vertices(u, g);
+        for (int m = 0; m < 9; ++m)
+          for (int v = 0; v < Cell::n_vertices; ++v)
+            store(hn::Zero(Tag<Number>()), s.of[m / 3][m % 3][v]);
+        for (int v = 0; v < Cell::n_vertices; ++v)
+          for (int w = 0; w <= v; ++w)
+            add_moment(batches.tangent(b, SimplexTables<Number, degree>::moment(v, w)), v, w, g, s);
+        Cell::integrate_from_vertices(s, u);
+      }
+
+      /// Add the moment of the vertices v and w to the stresses of both.
+      template <typename VertexGradients>
+      static HWY_INLINE void
+      add_moment(const float *const     tangent,
+                 const int              v,
+                 const int              w,
+                 const VertexGradients &g,
+                 VertexGradients       &s)
+      {
+        V of_v[9], of_w[9];
+        for (int m = 0; m < 9; ++m)
+          {
+            of_v[m] = load(g.of[m / 3][m % 3][v]);
+            of_w[m] = load(g.of[m / 3][m % 3][w]);
+          }
+          // Unrolled, so that the places of the numbers are constants.
+#pragma GCC unroll 9
+        for (int m = 0; m < 9; ++m)
+          {
+            V to_v = load(s.of[m / 3][m % 3][v]), to_w = hn::Zero(Tag<Number>());
+#pragma GCC unroll 9
+            for (int k = 0; k < 9; ++k)
+              {
+                const V number = load_single_precision<Number>(tangent + tangent_number(m, k) * W);
+                to_v           = hn::MulAdd(number, of_w[k], to_v);
+                to_w           = hn::MulAdd(number, of_v[k], to_w);
+              }
+            store(to_v, s.of[m / 3][m % 3][v]);
+            if (v != w)
+              store(hn::Add(to_w, load(s.of[m / 3][m % 3][w])), s.of[m / 3][m % 3][w]);
+          }
+      }
+
+      HWY_INLINE void
+      apply_at_points(const std::size_t b, Values &u) const
+      {
         typename Cell::Gradients g;
         reference.evaluate_gradients(u, g);
         for (int q = 0; q < n_points; ++q)
@@ -233,22 +292,49 @@ namespace Signorini
         for (int i = 0; i < n_nodes; ++i)
           {
             V sum[3] = {hn::Zero(Tag<Number>()), hn::Zero(Tag<Number>()), hn::Zero(Tag<Number>())};
-            for (int q = 0; q < n_points; ++q)
+            if constexpr (Cell::is_simplex)
               {
-                Number gradient[3];
-                reference.unit_gradient(q, i, gradient);
-                const float *const tangent = batches.tangent(b, q);
-                for (int c = 0; c < 3; ++c)
-                  for (int d = 0; d < 3; ++d)
-                    for (int e = 0; e < 3; ++e)
-                      sum[c] = hn::MulAdd(load_single_precision<Number>(
-                                            tangent + tangent_number(3 * c + d, 3 * c + e) * W),
-                                          all(gradient[d] * gradient[e]),
-                                          sum[c]);
+                for (int v = 0; v < Cell::n_vertices; ++v)
+                  for (int w = 0; w <= v; ++w)
+                    {
+                      Number at_v[3], at_w[3];
+                      Cell::unit_gradient_at_vertex(v, i, at_v);
+                      Cell::unit_gradient_at_vertex(w, i, at_w);
+                      add_to_diagonal(batches.tangent(b,
+                                                      SimplexTables<Number, degree>::moment(v, w)),
+                                      v == w ? 1 : 2,
+                                      at_v,
+                                      at_w,
+                                      sum);
+                    }
               }
+            else
+              for (int q = 0; q < n_points; ++q)
+                {
+                  Number gradient[3];
+                  reference.unit_gradient(q, i, gradient);
+                  add_to_diagonal(batches.tangent(b, q), 1, gradient, gradient, sum);
+                }
             for (int c = 0; c < 3; ++c)
               store(sum[c], diagonal.of[c][i]);
           }
+      }
+
+      /// Add a tangent, tested by two gradients of the same component, to the three components.
+      static void
+      add_to_diagonal(const float *const tangent,
+                      const Number       factor,
+                      const Number (&first)[3],
+                      const Number (&second)[3],
+                      V (&sum)[3])
+      {
+        for (int c = 0; c < 3; ++c)
+          for (int d = 0; d < 3; ++d)
+            for (int e = 0; e < 3; ++e)
+              sum[c] = hn::MulAdd(load_single_precision<Number>(
+                                    tangent + tangent_number(3 * c + d, 3 * c + e) * W),
+                                  all(factor * first[d] * second[e]),
+                                  sum[c]);
       }
 
       const Cell           reference;

@@ -29,6 +29,38 @@ namespace Signorini
           result[k] += points[q][k];
       return result;
     }
+
+    /// The moments of the tangents of the points of a tetrahedron of degree 2.
+    CellTangents
+    moments_of(const CellTangents &points)
+    {
+      using Tables = SimplexTables<double, 2>;
+      static const Tables tables;
+      CellTangents        result(Tables::n_moments, CellTangent{});
+      for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int b = 0; b <= a; ++b)
+          for (unsigned int k = 0; k < n_tangent_numbers; ++k)
+            {
+              double sum = 0;
+              for (unsigned int q = 0; q < points.size(); ++q)
+                sum += tables.moment_factor(q, a, b) * points[q][k];
+              result[Tables::moment(a, b)][k] = sum;
+            }
+      return result;
+    }
+
+    /// The integral of a tangent over its tetrahedron from its moments: the functions of the
+    /// vertices add up to one.
+    CellTangent
+    sum_of_moments(const CellTangent *moments)
+    {
+      CellTangent result{};
+      for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int b = 0; b <= a; ++b)
+          for (unsigned int k = 0; k < n_tangent_numbers; ++k)
+            result[k] += (a == b ? 1 : 2) * moments[SimplexTables<double, 2>::moment(a, b)][k];
+      return result;
+    }
   } // namespace
 
 
@@ -55,7 +87,7 @@ namespace Signorini
     for (KernelCells &cells : space.cells)
       {
         cells.tangents.clear();
-        cells.tangents.reserve(std::size_t(cells.size()) * cells.points_per_cell());
+        cells.tangents.reserve(std::size_t(cells.size()) * cells.tangents_per_cell());
       }
     Vector<double> values;
     CellTangents   points;
@@ -67,9 +99,10 @@ namespace Signorini
           if (!kernel.tangents(cell, elasticity.material(cell->material_id()), values, points))
             return elasticity.mesh().body_name(elasticity.mesh().body(cell));
           KernelCells &cells = space.cells[cell->active_fe_index()];
-          // Kernels of constant gradients have one point, the integrals have more of them.
-          if (cells.points_per_cell() == 1)
+          if (cells.are_tetrahedra && cells.degree == 1)
             points = {sum_of(points.data(), points.size())};
+          else if (cells.are_tetrahedra)
+            points = moments_of(points);
           cells.tangents.insert(cells.tangents.end(), points.begin(), points.end());
         }
     return {};
@@ -87,13 +120,14 @@ namespace Signorini
     space.diagonal_terms = elasticity.diagonal_terms();
     set(in_double_precision, space);
 
-    // Weights are in the tangents, so that the mean over the cell is the sum over its points.
+    // Weights are in the tangents, so that the integral over the cell is the sum over its points.
     for (KernelCells &cells : space.cells)
       {
-        const std::size_t n_points = cells.points_per_cell();
+        const std::size_t n = cells.tangents_per_cell();
         CellTangents      sums;
         for (unsigned int cell = 0; cell < cells.size(); ++cell)
-          sums.push_back(sum_of(&cells.tangents[cell * n_points], n_points));
+          sums.push_back(cells.are_tetrahedra && n > 1 ? sum_of_moments(&cells.tangents[cell * n]) :
+                                                         sum_of(&cells.tangents[cell * n], n));
         cells.tangents = std::move(sums);
       }
     set(in_single_precision, space);

@@ -315,7 +315,7 @@ main(int argc, char **argv)
           {
             const Cube  cube(degree, refinements + (degree == 1), of_tetrahedra, true);
             KernelCells cells = cube.cells();
-            cells.tangents.assign(cells.size() * (one_a_cell ? 1 : cells.points_per_cell()),
+            cells.tangents.assign(cells.size() * (one_a_cell ? 1 : cells.tangents_per_cell()),
                                   CellTangent());
             const char *const shape = one_a_cell ? "mean" : "points";
             for (const std::string &set : instruction_sets())
