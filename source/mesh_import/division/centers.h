@@ -46,6 +46,15 @@ namespace Signorini
     unsigned int
     of_diagonal(const MeshFile::Nodes &around, unsigned int a, unsigned int b);
 
+    /// Let a node be the middle of two corners, for an inner diagonal of a cell.
+    /// @param a,b the corners
+    /// @param node the node, which has no edge or face of its own
+    void
+    set_middle(unsigned int a, unsigned int b, unsigned int node)
+    {
+      nodes[key({a, b})] = node;
+    }
+
     /// @return a new node inside a cell, which is not shared with others.
     /// @param corners of the cell
     /// @param place its position

@@ -94,6 +94,8 @@ namespace Signorini
                 around.push_back(element.nodes[corner]);
               return centers.of_diagonal(around, from, to);
             }
+        // The parts of this tetrahedron, if it is divided further, find it by the same two corners.
+        centers.set_middle(from, to, center());
         return center();
       }
 
