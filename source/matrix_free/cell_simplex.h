@@ -186,7 +186,7 @@ namespace Signorini
           }
       }
 
-      /// The same at a vertex.
+      /// The gradient of the shape function of node i at a vertex.
       static void
       unit_gradient_at_vertex(const int v, const int i, Number (&gradient)[3])
       {

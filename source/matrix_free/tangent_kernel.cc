@@ -219,9 +219,8 @@ namespace Signorini
       HWY_INLINE void
       apply(const std::size_t b, Values &u) const
       {
-        // Gradients in reference coordinates at all Gauss points, the stress of each point in place
-        // of its gradient, and the transposed evaluation. Geometry and quadrature weights are in
-        // the tangents, so that the kernel has no data of the mesh.
+        // Geometry and quadrature weights are in the tangents, so that the kernel has no data of
+        // the mesh.
         if constexpr (Cell::is_simplex)
           return apply_moments(b, u);
         else
@@ -276,6 +275,8 @@ namespace Signorini
           }
       }
 
+      /// Gradients in reference coordinates at all points, the stress of each point in place of its
+      /// gradient, and the transposed evaluation.
       HWY_INLINE void
       apply_at_points(const std::size_t b, Values &u) const
       {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "small_scene.h"
+#include "source_directory.h"
 
 namespace TestScene
 {
@@ -140,6 +141,21 @@ namespace TestScene
                      "Loads/weight/Body force=0; -0.1*t",
                      "Loads/side/Boundaries=upper.right",
                      "Loads/side/Traction=0.1; 0.1*t"}}};
+  }
+
+  /// Tetrahedra of first order below those of second order.
+  inline Lines
+  tetrahedra()
+  {
+    Lines result = materials("lower", "upper") + pair("upper.upper_bottom", "lower.lower_top") +
+                   fixed("lower.base, upper.press", "0.001*t; 0; -0.001*t");
+    for (const std::string body : {"lower", "upper"})
+      result =
+        result + Lines{"Bodies/" + body + "/Mesh=file",
+                       "Bodies/" + body + "/File=" + source_directory() + "/meshes/tetrahedra.inp",
+                       "Bodies/" + body + "/Part=" + body,
+                       "Bodies/" + body + "/Cells=as in file"};
+    return result;
   }
 
   inline std::vector<Case>

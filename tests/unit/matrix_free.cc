@@ -35,6 +35,7 @@ namespace
         }
     result.push_back({"degrees one and two",
                       cases_3d()[2].lines + Lines{"Mesh/Degree=2", "Bodies/lower/Degree=1"}});
+    result.push_back({"tetrahedra", tetrahedra()});
     result.push_back({"distorted",
                       cases_3d()[0].lines +
                         Lines{"Mesh/Degree=2",
@@ -207,6 +208,7 @@ TEST_CASE("levels are Galerkin products where cells are flat, on meshes with han
         if (one.name == "hanging nodes")
           check_levels(one.lines + Lines{"Mesh/Degree=2", "Mesh/Refinements=2"}, true, 2);
       }
+  check_levels(tetrahedra(), false, 1);
 }
 
 

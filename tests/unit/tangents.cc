@@ -149,6 +149,7 @@ TEST_CASE("levels of tangents are Galerkin products where gradients are uniform"
         if (one.name == "hanging nodes")
           check_levels(lines + Lines{"Mesh/Degree=2", "Mesh/Refinements=2"}, 2);
       }
+  check_levels(tetrahedra() + Lines{"Deformation=finite"}, 1);
 }
 
 
