@@ -240,10 +240,17 @@ def viewpoint(mesh, zone, from_below=False):
 # Faces and edges -----------------------------------------------------------------------------------------------------
 
 
+def middle(points, faces):
+    """The mean of the corners of each face; corners of triangles that coincide count once."""
+    faces = np.sort(faces, axis=1)
+    is_new = np.concatenate([np.full((len(faces), 1), True), faces[:, 1:] != faces[:, :-1]], axis=1)
+    return (points[faces] * is_new[..., None]).sum(axis=1) / is_new.sum(axis=1)[:, None]
+
+
 def outer_faces(points, cells, body):
     """The faces (n, 4) of hexahedra that no other cell of the same body shares, and the cell that each belongs to."""
     body = np.unique(body, return_inverse=True)[1]
-    keys = np.stack([places(points, points[cells[:, face]].mean(axis=1), body) for face in FACES], axis=1)
+    keys = np.stack([places(points, middle(points, cells[:, face]), body) for face in FACES], axis=1)
     _, inverse, count = np.unique(keys, return_inverse=True, return_counts=True)
     owner, face = np.nonzero((count[inverse] == 1).reshape(keys.shape))
     faces, own, body = cells[owner[:, None], FACES[face]], keys[owner, face], body[owner]

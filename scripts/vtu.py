@@ -11,7 +11,9 @@ import numpy as np
 
 # Corners of a cell by its VTK type: lines, quadrilaterals and hexahedra, plain (3, 9, 12) or Lagrange cells of higher order
 # (68, 70, 72). The latter begin with their corners as well, and corners suffice for a picture.
-CORNERS = {3: 2, 68: 2, 9: 4, 70: 4, 12: 8, 72: 8}
+CORNERS = {3: range(2), 68: range(2), 9: range(4), 70: range(4), 12: range(8), 72: range(8)}
+# Triangles and tetrahedra (5 and 10, of second order 22 and 24) become cells with corners that coincide.
+CORNERS |= dict.fromkeys((5, 22, 69), (0, 1, 2, 2)) | dict.fromkeys((10, 24, 71), (0, 1, 2, 2, 3, 3, 3, 3))
 
 
 @dataclass
@@ -79,7 +81,8 @@ def read_piece(piece, root):
         return Mesh(np.empty((0, 3)), np.empty((0, 4), int), {})
     arrays = {array.get("Name"): read_array(array, root) for array in piece.find("Cells")}
     starts = np.concatenate([[0], arrays["offsets"][:-1].astype(int)])
-    cells = arrays["connectivity"].astype(int)[starts[:, None] + np.arange(CORNERS[arrays["types"][0]])]
+    corners = np.array([CORNERS[kind] for kind in arrays["types"]])
+    cells = arrays["connectivity"].astype(int)[starts[:, None] + corners]
 
     points = read_array(piece.find("Points")[0], root)
     fields = {array.get("Name"): read_array(array, root) for array in piece.findall("PointData/DataArray")}
