@@ -81,8 +81,8 @@ def read_piece(piece, root):
         return Mesh(np.empty((0, 3)), np.empty((0, 4), int), {})
     arrays = {array.get("Name"): read_array(array, root) for array in piece.find("Cells")}
     starts = np.concatenate([[0], arrays["offsets"][:-1].astype(int)])
-    corners = np.array([CORNERS[kind] for kind in arrays["types"]])
-    cells = arrays["connectivity"].astype(int)[starts[:, None] + corners]
+    kinds, kind = np.unique(arrays["types"], return_inverse=True)
+    cells = arrays["connectivity"].astype(int)[starts[:, None] + np.array([CORNERS[one] for one in kinds])[kind]]
 
     points = read_array(piece.find("Points")[0], root)
     fields = {array.get("Name"): read_array(array, root) for array in piece.findall("PointData/DataArray")}
