@@ -243,7 +243,7 @@ namespace Signorini
       const MeshFile::Element &element = all.elements[c];
       return element.shape == simplex_shape<dim> && element.nodes.size() > n_corners(element.shape);
     };
-    if (cells == CellChoice::as_in_file && (dim == 3 && can_be_cut(all, chosen)))
+    if (cells == CellChoice::as_in_file && dim == 3 && can_be_cut(all, chosen))
       return true;
     if (cells == CellChoice::as_in_file)
       {
@@ -291,20 +291,13 @@ namespace Signorini
         result.coinciding_nodes = CoincidingPoints::refuse;
         result.node_distance    = 0;
       }
-    if (are_kept)
-      {
-        const bool are_cut = std::any_of(chosen.begin(), chosen.end(), [&](const unsigned int c) {
-          return all.elements[c].shape != simplex_shape<dim>;
-        });
-        if (are_cut)
-          append(cut_into_tetrahedra(all, selection.part, mid_side_nodes), notes);
-        append(check_simplices(all,
-                               are_cut ? cells_of_part(all, dim, selection.part) : chosen,
-                               dim),
-               notes);
-      }
-    else
-      append(divide_cells(all, dim, selection.part, mid_side_nodes), notes);
+    const bool are_simplices = std::all_of(chosen.begin(), chosen.end(), [&](const unsigned int c) {
+      return all.elements[c].shape == simplex_shape<dim>;
+    });
+    append(!are_kept     ? divide_cells(all, dim, selection.part, mid_side_nodes) :
+           are_simplices ? check_simplices(all, chosen, dim) :
+                           cut_into_tetrahedra(all, chosen, mid_side_nodes),
+           notes);
     return result;
   }
 

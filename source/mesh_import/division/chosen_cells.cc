@@ -107,4 +107,15 @@ namespace Signorini
         return shape == Shape::pyramid;
       });
   }
+
+
+
+  ChosenCells::ChosenCells(const MeshFile &file, const std::vector<unsigned int> &cells)
+    : all(file.elements.size())
+    , as_tetrahedra(file.elements.size())
+    , any(!cells.empty())
+  {
+    for (const unsigned int e : cells)
+      all[e] = as_tetrahedra[e] = true;
+  }
 } // namespace Signorini

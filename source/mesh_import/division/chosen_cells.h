@@ -29,5 +29,8 @@ namespace Signorini
     /// @param dim 2 or 3
     /// @param part the group whose cells are considered; empty: all cells
     ChosenCells(const MeshFile &file, unsigned int dim, const std::string &part);
+
+    /// Choose all of some elements, to be divided into tetrahedra.
+    ChosenCells(const MeshFile &file, const std::vector<unsigned int> &cells);
   };
 } // namespace Signorini

@@ -60,8 +60,7 @@ namespace Signorini
         count_faces();
         std::vector<std::string> notes = {division_summary()};
         for (const std::string &note : divide_elements())
-          if (!to_tetrahedra) // their shapes are reported when it is known that they are kept
-            notes.push_back(note);
+          notes.push_back(note);
         centers.complete_node_sets();
         centers.complete_fields();
         return notes;
@@ -250,7 +249,8 @@ namespace Signorini
                 members.push_back(i);
             group.elements = members;
           }
-        const std::vector<std::string> notes = report.notes(); // while there are the elements
+        // While there are the elements.
+        const std::vector<std::string> notes = to_tetrahedra ? report.warnings() : report.notes();
         file.elements                        = std::move(elements);
         return notes;
       }
@@ -440,11 +440,11 @@ namespace Signorini
 
 
   std::vector<std::string>
-  cut_into_tetrahedra(MeshFile &file, const std::string &part, const bool mid_side_nodes)
+  cut_into_tetrahedra(MeshFile                        &file,
+                      const std::vector<unsigned int> &cells,
+                      const bool                       mid_side_nodes)
   {
-    ChosenCells chosen(file, 3, part);
-    for (const unsigned int e : cells_of_part(file, 3, part))
-      chosen.all[e] = chosen.as_tetrahedra[e] = true;
+    const ChosenCells chosen(file, cells);
     file.first_inserted = file.nodes.size();
     return HexSubdivision(file, 3, chosen, true).divide(mid_side_nodes);
   }

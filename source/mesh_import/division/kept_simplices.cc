@@ -32,9 +32,6 @@ namespace Signorini
           centers.take(element);
         report.add(element, element);
       }
-    std::vector<std::string> notes = report.notes();
-    if (!notes.empty() && notes[0].rfind("warning", 0) != 0)
-      notes.clear(); // of shapes that are no matter
-    return notes;
+    return report.warnings();
   }
 } // namespace Signorini

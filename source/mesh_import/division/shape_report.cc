@@ -174,4 +174,15 @@ namespace Signorini
             "; stresses there are poor and the solver slower: improve the mesh, in Gmsh by "
             "Mesh.Optimize = 1 or Mesh.OptimizeNetgen = 1"};
   }
+
+
+
+  std::vector<std::string>
+  ShapeReport::warnings()
+  {
+    std::vector<std::string> result = notes();
+    if (n_poor == 0)
+      result.clear();
+    return result;
+  }
 } // namespace Signorini

@@ -67,6 +67,10 @@ namespace Signorini
     std::vector<std::string>
     notes();
 
+    /// notes() without that about shapes that are no matter.
+    std::vector<std::string>
+    warnings();
+
   private:
     struct WorstCell
     {
