@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/cell_rule.h"
 #include "geometry/manifolds.h"
+#include "geometry/simplex_nodes.h"
 
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -314,12 +315,10 @@ namespace Signorini
   is_inverted_simplex(const std::vector<Point<dim>> &nodes)
   {
     static const auto samples = samples_of_simplex<dim>();
-    // Edges in the order of deal.II: 01, 12, 20, 03, 13, 23.
-    constexpr unsigned int middle[4][4] = {{0, 0, 2, 3}, {0, 1, 1, 4}, {2, 1, 2, 5}, {3, 4, 5, 3}};
     const auto between = [&](const unsigned int a, const unsigned int b) -> const Point<dim> & {
-      return nodes[a == b ? a : dim + 1 + middle[a][b]];
+      return nodes[node_between<dim>(a, b)];
     };
-    std::array<Tensor<2, dim>, dim + 1> at_vertex; // [direction][component]
+    std::array<Tensor<2, dim>, dim + 1> at_vertex; // [vertex][direction][component]
     for (unsigned int b = 0; b <= dim; ++b)
       for (unsigned int d = 0; d < dim; ++d)
         at_vertex[b][d] = 4 * (between(d + 1, b) - between(0, b)) - (nodes[d + 1] - nodes[0]);

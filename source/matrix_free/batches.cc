@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "matrix_free/batches.h"
 
+#include "geometry/simplex_nodes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,23 +16,22 @@ namespace Signorini
     std::vector<std::array<unsigned int, 3>>
     reference_nodes(const KernelCells &cells)
     {
-      if (cells.are_tetrahedra && cells.degree == 1)
-        return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      std::vector<std::array<unsigned int, 3>> result(cells.nodes_per_cell());
       if (cells.are_tetrahedra)
-        return {{0, 0, 0},
-                {2, 0, 0},
-                {0, 2, 0},
-                {0, 0, 2},
-                {1, 0, 0}, //
-                {1, 1, 0},
-                {0, 1, 0},
-                {0, 0, 1},
-                {1, 0, 1},
-                {0, 1, 1}};
-      std::vector<std::array<unsigned int, 3>> result;
-      const unsigned int                       n = cells.degree + 1;
-      for (unsigned int i = 0; i < n * n * n; ++i)
-        result.push_back({i % n, i / n % n, i / (n * n)});
+        {
+          // Vertex 0 is the origin, the others are on the axes.
+          for (unsigned int a = 1; a < 4; ++a)
+            result[a][a - 1] = cells.degree;
+          for (unsigned int a = 1; cells.degree == 2 && a < 4; ++a)
+            for (unsigned int b = 0; b < a; ++b)
+              for (const unsigned int vertex : {a, b})
+                if (vertex > 0)
+                  result[node_between<3>(a, b)][vertex - 1] = 1;
+          return result;
+        }
+      const unsigned int n = cells.degree + 1;
+      for (unsigned int i = 0; i < result.size(); ++i)
+        result[i] = {{i % n, i / n % n, i / (n * n)}};
       return result;
     }
 

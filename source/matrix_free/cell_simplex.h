@@ -9,6 +9,7 @@
 #define SIGNORINI_CELL_SIMPLEX_H
 #endif
 
+#include "geometry/simplex_nodes.h"
 #include "matrix_free/cell_values.h"
 #include "matrix_free/kernel_tables.h"
 
@@ -67,8 +68,8 @@ namespace Signorini
                   store(along, g.of[c][d][0]);
                 else
                   for (int b = 0; b < 4; ++b)
-                    store(hn::MulSub(hn::Sub(load(u.of[c][middle(d + 1, b)]),
-                                             load(u.of[c][middle(0, b)])),
+                    store(hn::MulSub(hn::Sub(load(u.of[c][node_between<3>(d + 1, b)]),
+                                             load(u.of[c][node_between<3>(0, b)])),
                                      all(Number(4)),
                                      along),
                           g.of[c][d][b]);
@@ -95,8 +96,8 @@ namespace Signorini
                     if constexpr (degree == 2)
                       {
                         const V four = hn::Mul(at_vertex, all(Number(4)));
-                        V      &to   = of_node[middle(d + 1, b)];
-                        V      &from = of_node[middle(0, b)];
+                        V      &to   = of_node[node_between<3>(d + 1, b)];
+                        V      &from = of_node[node_between<3>(0, b)];
                         to           = hn::Add(to, four);
                         from         = hn::Sub(from, four);
                       }
@@ -196,19 +197,9 @@ namespace Signorini
           if constexpr (degree == 1)
             by[a] = i == a ? 1 : 0;
           else
-            by[a] = (middle(a, v) == i ? 4 : 0) - (i == a ? 1 : 0);
+            by[a] = (int(node_between<3>(a, v)) == i ? 4 : 0) - (i == a ? 1 : 0);
         for (int d = 0; d < 3; ++d)
           gradient[d] = by[d + 1] - by[0];
-      }
-
-    private:
-      /// The node in the middle of two vertices; a vertex itself for twice the same.
-      static constexpr int
-      middle(const int a, const int b)
-      {
-        // Edges in the order of deal.II: 01, 12, 20, 03, 13, 23.
-        constexpr int nodes[4][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}};
-        return nodes[a][b];
       }
     };
   } // namespace HWY_NAMESPACE
