@@ -9,7 +9,7 @@
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
 
 #include <cmath>
 
@@ -109,16 +109,18 @@ namespace Signorini
                           const Expression<dim> &exact,
                           SolutionErrors        &errors)
     {
-      const Mesh<dim> &mesh = s.elasticity.mesh();
-      FEValues<dim>    values(mesh.mapping(),
-                           s.elasticity.finite_elements()[0],
-                           QGauss<dim>(s.elasticity.degree() + 3),
-                           update_quadrature_points | update_JxW_values);
-      Squares          l2;
-      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      const Mesh<dim>  &mesh     = s.elasticity.mesh();
+      const auto       &elements = s.elasticity.finite_elements();
+      hp::FEValues<dim> all_values(mesh.mappings(),
+                                   elements,
+                                   gauss_rules(elements, 3),
+                                   update_quadrature_points | update_JxW_values);
+      Squares           l2;
+      for (const auto &cell : s.elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && s.elasticity.volumetric_stress().is_on(*cell))
           {
-            values.reinit(cell);
+            all_values.reinit(cell);
+            const FEValues<dim> &values = all_values.get_present_fe_values();
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 const Point<dim> &x      = values.quadrature_point(q);

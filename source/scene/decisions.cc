@@ -29,9 +29,6 @@ namespace Signorini
         return "requires a Poisson's ratio above 0";
       if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; set Law = neo-Hooke";
-      if (body.mesh.generator->has_simplices())
-        return "bodies of " + word_of_cells(dim, true) +
-               " have no such form; set Cells = " + word_of_cells(dim, false);
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
         return "errors of the volumetric stress are not estimated; remove Accuracy/Quantity and Target error";
       return {};
@@ -105,12 +102,8 @@ namespace Signorini
     if (body.degree == 1 || (body.degree == 0 && scene.degree == 1))
       return "Degree = 1";
     for (const Material *material : body.materials())
-      {
-        if (material->constitutive_law && material->constitutive_law->n_internal() > 0)
-          return "Law = " + material->law;
-        if (wants_mixed(*material, obstacle_to_mixed(scene, body, *material)))
-          return "the mixed formulation";
-      }
+      if (material->constitutive_law && material->constitutive_law->n_internal() > 0)
+        return "Law = " + material->law;
     return {};
   }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solid/volumetric_stress.h"
 
-#include <deal.II/base/quadrature_lib.h>
+#include "geometry/cell_rule.h"
+
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgp.h>
 #include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,24 +18,84 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// The elements in the list of elements_for().
+    enum Element : unsigned int
+    {
+      no_cube,
+      cube,
+      no_simplex,
+      first_simplex
+    };
+
+    /// An element with the given number of components, of which all but one are empty.
+    template <int dim>
+    FESystem<dim>
+    in_component(const FiniteElement<dim> &element,
+                 const unsigned int        component,
+                 const unsigned int        n_components)
+    {
+      const FE_Nothing<dim>                   none(element.reference_cell());
+      std::vector<const FiniteElement<dim> *> parts(n_components, &none);
+      const std::vector<unsigned int>         multiplicities(n_components, 1);
+      parts[component] = &element;
+      return FESystem<dim>(parts, multiplicities);
+    }
+
+    /// Numbers of degrees of freedom: none in bodies in displacement form, dim + 1 in each cube,
+    /// and one at each vertex of simplices, which have a component for each material, so that
+    /// neighbours of different materials share none.
+    template <int dim>
+    hp::FECollection<dim>
+    elements_for(const unsigned int n_components)
+    {
+      const ReferenceCell    simplex = ReferenceCells::get_simplex<dim>();
+      const FE_Nothing<dim>  no_function(ReferenceCells::get_hypercube<dim>()), none(simplex);
+      const FE_DGP<dim>      discontinuous(1);
+      const FE_SimplexP<dim> of_vertices(1);
+      hp::FECollection<dim>  result;
+      result.push_back(in_component<dim>(no_function, 0, n_components));
+      result.push_back(in_component<dim>(discontinuous, 0, n_components));
+      result.push_back(in_component<dim>(none, 0, n_components));
+      for (unsigned int component = 0; component < n_components; ++component)
+        result.push_back(in_component<dim>(of_vertices, component, n_components));
+      return result;
+    }
+
+    /// The size of a cell as the edge of a cube with the same diagonal.
+    template <int dim>
+    double
+    size_of(const CellAccessor<dim> &cell)
+    {
+      return cell.diameter() / std::sqrt(double(dim));
+    }
+  } // namespace
+
+
+
   // If no material is in displacement-pressure form, the lists stay empty, and with them all
   // functions of this class.
-  // Two elements: one without functions for bodies in displacement form, and discontinuous linear
-  // polynomials, dim + 1 functions a cell, for those in displacement-pressure form.
   template <int dim>
   VolumetricStress<dim>::VolumetricStress(const Mesh<dim>             &mesh,
                                           const std::vector<Material> &materials,
                                           const Model                  model)
     : mesh(mesh)
     , model(model)
-    , elements(FE_Nothing<dim>(), FE_DGP<dim>(1))
+    , elements(elements_for<dim>(std::max<unsigned int>(
+        1, std::count_if(materials.begin(), materials.end(), [](const Material &material) {
+          return material.is_up_formulation;
+        }))))
   {
     if (std::none_of(materials.begin(), materials.end(), [](const Material &material) {
           return material.is_up_formulation;
         }))
       return;
+    unsigned int n_components = 0;
     for (const Material &material : materials)
       {
+        component.push_back(n_components);
+        n_components += material.is_up_formulation ? 1 : 0;
         mixed.push_back(material.is_up_formulation);
         mu.push_back(material.mu());
       }
@@ -48,10 +112,10 @@ namespace Signorini
     if (empty())
       return;
     distribute_dofs();
-    make_bases();
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
     zero_with_ghosts.reinit(owned(), relevant, mesh.communicator());
+    make_bases();
   }
 
 
@@ -64,38 +128,91 @@ namespace Signorini
     dofs.reinit(mesh.triangulation());
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
-        cell->set_active_fe_index(mixed[cell->material_id()] ? 1 : 0);
+        {
+          const unsigned int id      = cell->material_id();
+          const bool         is_cube = cell->reference_cell().is_hyper_cube();
+          cell->set_active_fe_index(mixed[id] ? (is_cube ? cube : first_simplex + component[id]) :
+                                                (is_cube ? no_cube : no_simplex));
+        }
     dofs.distribute_dofs(elements);
   }
 
 
 
-  // One orthogonal basis for each owned and ghost cell of bodies in this form, evaluated with the
-  // quadrature of their stiffness (three points in each direction).
+  // Sums over the cells around a vertex, which may belong to several ranks.
+  template <int dim>
+  LA::Vector
+  VolumetricStress<dim>::units_at_vertices() const
+  {
+    LA::Vector                           units = zero_vector(), count = units;
+    std::vector<types::global_dof_index> indices(functions_per_cell);
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned() && is_on(*cell) && !cell->reference_cell().is_hyper_cube())
+        {
+          cell->get_dof_indices(indices);
+          for (const auto i : indices)
+            {
+              units(i) += size_of<dim>(*cell) / mu[cell->material_id()];
+              count(i) += 1;
+            }
+        }
+    for (LA::Vector *sum : {&units, &count})
+      sum->compress(VectorOperation::add);
+    for (const auto i : owned())
+      if (count(i) > 0)
+        units(i) = count(i) / units(i);
+    units.compress(VectorOperation::insert);
+    LA::Vector result = zero_with_ghosts;
+    result            = units;
+    return result;
+  }
+
+
+
+  // One basis for each owned and ghost cell of bodies in this form, evaluated with the quadrature
+  // of their stiffness.
   template <int dim>
   void
   VolumetricStress<dim>::make_bases()
   {
-    // The quadrature of the stiffness of these cells.
-    FEValues<dim> values(mesh.mapping(),
-                         elements[0],
-                         QGauss<dim>(3),
-                         update_quadrature_points | update_JxW_values);
+    hp::FECollection<dim> none;
+    hp::QCollection<dim>  rules;
+    for (const auto &cell :
+         {ReferenceCells::get_hypercube<dim>(), ReferenceCells::get_simplex<dim>()})
+      {
+        none.push_back(FE_Nothing<dim>(cell));
+        rules.push_back(cell_rule<dim>(cell, 3));
+      }
+    hp::FEValues<dim> all_values(mesh.mappings(),
+                                 none,
+                                 rules,
+                                 update_quadrature_points | update_JxW_values);
+    const LA::Vector  units = units_at_vertices();
     of_cells.clear();
     number.assign(mesh.triangulation().n_active_cells(), numbers::invalid_unsigned_int);
     for (const auto &cell : dofs.active_cell_iterators())
       if (!cell->is_artificial() && is_on(*cell))
         {
           number[cell->active_cell_index()] = of_cells.size();
-          values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
-          Basis one;
-          one.indices.resize(functions_per_cell);
-          cell->get_dof_indices(one.indices);
-          // The cell size h as the edge of a cube with the same diagonal; functions are of the size
-          // mu/h.
-          const double h = cell->diameter() / std::sqrt(double(dim));
-          orthogonalise(values, mu[cell->material_id()] / h, one);
-          of_cells.push_back(one);
+          const unsigned int index          = cell->reference_cell().is_hyper_cube() ? 0 : 1;
+          all_values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell),
+                            index,
+                            0,
+                            index);
+          const FEValues<dim> &values = all_values.get_present_fe_values();
+          Basis                own;
+          own.indices.resize(functions_per_cell);
+          cell->get_dof_indices(own.indices);
+          if (index == 0)
+            orthogonalise(values, mu[cell->material_id()] / size_of<dim>(*cell), own);
+          else
+            {
+              Functions at_vertices;
+              for (unsigned int v = 0; v < functions_per_cell; ++v)
+                at_vertices[v] = units(own.indices[v]);
+              interpolate_vertices(values, at_vertices, own);
+            }
+          of_cells.push_back(own);
         }
   }
 
@@ -108,7 +225,7 @@ namespace Signorini
   void
   VolumetricStress<dim>::orthogonalise(const FEValues<dim> &values,
                                        const double         unit,
-                                       Basis               &one) const
+                                       Basis               &own) const
   {
     std::vector<double> weights;
     double              volume = 0;
@@ -120,14 +237,14 @@ namespace Signorini
         volume += weights.back();
         moment += weights.back() * Tensor<1, dim>(x);
       }
-    one.center = Point<dim>(moment / volume);
-    one.size   = unit * unit * volume;
+    own.center        = Point<dim>(moment / volume);
+    const double size = unit * unit * volume;
 
     // A row has the coefficients of 1 and of the coordinates relative to the centroid.
     const auto at = [&](const Functions &row, const unsigned int q) {
       double sum = row[0];
       for (unsigned int d = 0; d < dim; ++d)
-        sum += row[d + 1] * (values.quadrature_point(q)[d] - one.center[d]);
+        sum += row[d + 1] * (values.quadrature_point(q)[d] - own.center[d]);
       return sum;
     };
     const auto product = [&](const Functions &a, const Functions &b) {
@@ -138,40 +255,94 @@ namespace Signorini
     };
     for (unsigned int i = 0; i < functions_per_cell; ++i)
       {
-        Functions &row = one.rows[i];
-        row.fill(0.);
-        row[i] = 1;
+        Functions &row = own.rows[i];
+        row[i]         = 1;
         // Earlier functions are orthogonal to each other and all have the same norm, so that their
         // shares can be subtracted one after the other.
         for (unsigned int j = 0; j < i; ++j)
           {
-            const double share = product(row, one.rows[j]) / one.size;
+            const double share = product(row, own.rows[j]) / size;
             for (unsigned int k = 0; k <= j; ++k)
-              row[k] -= share * one.rows[j][k];
+              row[k] -= share * own.rows[j][k];
           }
-        const double factor = std::sqrt(one.size / product(row, row));
+        const double factor = std::sqrt(size / product(row, row));
         for (double &entry : row)
           entry *= factor;
+        own.mass[i][i] = size;
+      }
+    own.one[0] = 1 / own.rows[0][0];
+  }
+
+
+
+  // Barycentric coordinates of the vertices, affine functions of x also where cells are curved:
+  // with edges e_i = x_i - x_0, the gradients g_i of those of i > 0 are the columns of the inverse
+  // of the matrix with the rows e_i, all sum to zero, and all have the same value at the mean of
+  // the vertices.
+  template <int dim>
+  void
+  VolumetricStress<dim>::interpolate_vertices(const FEValues<dim> &values,
+                                              const Functions     &units,
+                                              Basis               &own) const
+  {
+    const auto     cell = values.get_cell();
+    Tensor<2, dim> edges;
+    Tensor<1, dim> sum;
+    for (unsigned int v = 0; v < functions_per_cell; ++v)
+      {
+        sum += Tensor<1, dim>(cell->vertex(v));
+        if (v > 0)
+          edges[v - 1] = cell->vertex(v) - cell->vertex(0);
+      }
+    own.center                     = Point<dim>(sum / functions_per_cell);
+    const Tensor<2, dim> gradients = invert(edges);
+    for (unsigned int v = 0; v < functions_per_cell; ++v)
+      {
+        Functions &row = own.rows[v];
+        row[0]         = units[v] / functions_per_cell;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (v > 0)
+            {
+              row[d + 1] = units[v] * gradients[d][v - 1];
+              own.rows[0][d + 1] -= units[0] * gradients[d][v - 1];
+            }
+        own.one[v] = 1 / units[v];
+      }
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const Point<dim> &x   = values.quadrature_point(q);
+        const Functions   phi = own.at(x);
+        for (unsigned int i = 0; i < functions_per_cell; ++i)
+          for (unsigned int j = 0; j < functions_per_cell; ++j)
+            own.mass[i][j] += values.JxW(q) * measure(model, x) * phi[i] * phi[j];
       }
   }
 
 
 
-  // The rows are lower triangular: function i has the coordinates up to i - 1.
+  // An affine function of x for each row.
+  template <int dim>
+  typename VolumetricStress<dim>::Functions
+  VolumetricStress<dim>::Basis::at(const Point<dim> &x) const
+  {
+    const Tensor<1, dim> from = x - center;
+    Functions            result;
+    for (unsigned int i = 0; i < functions_per_cell; ++i)
+      {
+        result[i] = rows[i][0];
+        for (unsigned int d = 0; d < dim; ++d)
+          result[i] += rows[i][d + 1] * from[d];
+      }
+    return result;
+  }
+
+
+
   template <int dim>
   typename VolumetricStress<dim>::Functions
   VolumetricStress<dim>::functions(const Cell &cell, const Point<dim> &x) const
   {
-    const Basis         &own  = basis(cell);
-    const Tensor<1, dim> from = x - own.center;
-    Functions            result;
-    for (unsigned int i = 0; i < functions_per_cell; ++i)
-      {
-        result[i] = own.rows[i][0];
-        for (unsigned int d = 0; d < i; ++d)
-          result[i] += own.rows[i][d + 1] * from[d];
-      }
-    return result;
+    return basis(cell).at(x);
   }
 
 
@@ -198,10 +369,10 @@ namespace Signorini
     LA::Vector result = zero_vector(); // nothing where no body is mixed
     if (empty())
       return result;
-    for (const Basis &one : of_cells)
-      if (owned().is_element(one.indices[0]))
-        for (unsigned int i = 0; i < functions_per_cell; ++i)
-          result(one.indices[i]) = one.coefficients[i];
+    for (const Basis &own : of_cells)
+      for (unsigned int i = 0; i < functions_per_cell; ++i)
+        if (owned().is_element(own.indices[i]))
+          result(own.indices[i]) = own.coefficients[i];
     result.compress(VectorOperation::insert);
     return result;
   }
@@ -217,9 +388,9 @@ namespace Signorini
       return;
     LA::Vector all = zero_with_ghosts;
     all            = values;
-    for (Basis &one : of_cells)
+    for (Basis &own : of_cells)
       for (unsigned int i = 0; i < functions_per_cell; ++i)
-        one.coefficients[i] = all(one.indices[i]);
+        own.coefficients[i] = all(own.indices[i]);
   }
 
 

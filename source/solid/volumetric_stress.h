@@ -24,12 +24,18 @@ namespace Signorini
   /// without thermal strain. lambda may be arbitrarily large or infinite, where a pure displacement
   /// formulation locks.
   ///
-  /// In each cell, m is a linear function of the position, discontinuous between cells: with
-  /// quadratic displacements that is inf-sup stable and of second order, on cells of any shape,
-  /// because it is linear in space and not in the coordinates of the cell (Boffi and Gastaldi,
-  /// Numer. Math. 92 (2002) 593; Boffi, Brezzi, Fortin, Mixed Finite Element Methods, 2013, 8.6).
-  /// The functions phi of a cell are orthogonal and of the size of mu/h: coefficients are lengths,
-  /// the rows of the equation are forces, and mass matrices of these functions are diagonal.
+  /// In each cell, m is a linear function of the position. With quadratic displacements two such
+  /// spaces are inf-sup stable and of second order (Boffi, Brezzi, Fortin, Mixed Finite Element
+  /// Methods, 2013, 8.6 to 8.8):
+  ///   * on quadrilaterals and hexahedra, m is discontinuous between cells. It is linear in space
+  ///     and not in the coordinates of the cell, which keeps the order on cells of any shape (Boffi
+  ///     and Gastaldi, Int. J. Numer. Meth. Fluids 39 (2002) 1001). The functions phi of a cell are
+  ///     orthogonal.
+  ///   * on triangles and tetrahedra, m is determined by its values at the vertices (Taylor and
+  ///     Hood): there, discontinuous linear functions are too many, and constants lose an order. A
+  ///     vertex has one value for each material around it, since m jumps between materials.
+  /// Functions are of the size of mu/h, so that coefficients are lengths and the rows of the
+  /// equation are forces.
   template <int dim>
   class VolumetricStress
   {
@@ -37,6 +43,7 @@ namespace Signorini
     using Cell                                       = dealii::CellAccessor<dim>;
     static constexpr unsigned int functions_per_cell = dim + 1;
     using Functions                                  = std::array<double, functions_per_cell>;
+    using MassMatrix                                 = std::array<Functions, functions_per_cell>;
 
     /// Keeps a reference to the mesh. @param materials by their ids
     VolumetricStress(const Mesh<dim> &mesh, const std::vector<Material> &materials, Model model);
@@ -71,11 +78,19 @@ namespace Signorini
     Functions
     functions(const Cell &cell, const dealii::Point<dim> &x) const;
 
-    /// int phi^2 dV, the same for each function of the cell [stress x force]
-    double
-    size(const Cell &cell) const
+    /// int phi_i phi_j dV [stress x force]; a multiple of the unit matrix on quadrilaterals and
+    /// hexahedra.
+    const MassMatrix &
+    mass(const Cell &cell) const
     {
-      return basis(cell).size;
+      return basis(cell).mass;
+    }
+
+    /// The coefficients of the function that is 1 in a cell.
+    const Functions &
+    one(const Cell &cell) const
+    {
+      return basis(cell).one;
     }
 
     /// The global indices of the coefficients of a cell.
@@ -120,15 +135,18 @@ namespace Signorini
     /// The basis and the coefficients of one cell.
     struct Basis
     {
-      /// Centroid of the cell, by the quadrature of its stiffness.
+      /// Centroid of the cell, by the quadrature of its stiffness, or mean of the vertices.
       dealii::Point<dim> center;
-      /// Coefficients of each function for 1 and the components of x - center, a lower triangular
-      /// matrix.
-      std::array<Functions, functions_per_cell> rows;
-      /// See size().
-      double                                       size = 0;
+      /// Coefficients of each function for 1 and the components of x - center.
+      std::array<Functions, functions_per_cell>    rows{};
+      MassMatrix                                   mass{};
+      Functions                                    one{};
       std::vector<dealii::types::global_dof_index> indices;
       Functions                                    coefficients{};
+
+      /// The functions at a point.
+      Functions
+      at(const dealii::Point<dim> &x) const;
     };
 
     /// The basis of an owned or ghost cell with the field.
@@ -144,17 +162,30 @@ namespace Signorini
     /// Make the bases of the owned and ghost cells with the field.
     void
     make_bases();
-    /// Set center, size and rows of a basis. @param values quadrature of the cell @param unit size
-    /// of the functions [force/length^3]
+    /// For the degrees of freedom at vertices, the size of the functions [force/length^3]: mu/h
+    /// with the mean size of the cells of their material around them. With ghosts; other entries
+    /// are not set. Collective.
+    LA::Vector
+    units_at_vertices() const;
+    /// Set all of a basis but its indices, with orthogonal functions. @param values quadrature of
+    /// the cell @param unit size of the functions [force/length^3]
     void
     orthogonalise(const dealii::FEValues<dim> &values, double unit, Basis &basis) const;
+    /// Set all of the basis of a simplex but its indices, with one function for each vertex.
+    /// @param values quadrature of the cell @param units of the functions
+    void
+    interpolate_vertices(const dealii::FEValues<dim> &values,
+                         const Functions             &units,
+                         Basis                       &basis) const;
 
     const Mesh<dim> &mesh;
     const Model      model;
     /// By material id: true for displacement-pressure form; empty if no material has it.
     std::vector<bool> mixed;
     /// Shear modulus by material id [force/area].
-    std::vector<double>                 mu;
+    std::vector<double> mu;
+    /// By material id, the component of its values at vertices.
+    std::vector<unsigned int>           component;
     const dealii::hp::FECollection<dim> elements;
     dealii::DoFHandler<dim>             dofs; ///< numbers only; of cells of other bodies none
     std::vector<Basis>                  of_cells;

@@ -132,7 +132,7 @@ namespace Signorini
     blocks.resize(1 + n_multiplier_blocks(),
                   saddle ? contact.weight.locally_owned_elements() : IndexSet(0));
     if (my_volumetric)
-      blocks.push_back(my_volumetric->compliance.locally_owned_elements());
+      blocks.push_back(my_volumetric->schur.locally_owned_elements());
     return LA::BlockVector(blocks, K.communicator());
   }
 
@@ -166,8 +166,9 @@ namespace Signorini
   {
     const unsigned int m = volumetric_block();
     my_volumetric->B.Tvmult_add(dst.block(0), src.block(m));
-    LA::Vector volume = src.block(m);
-    volume.scale(my_volumetric->compliance);
+    LA::Vector volume;
+    volume.reinit(src.block(m), true);
+    my_volumetric->C.vmult(volume, src.block(m));
     volume *= -1;
     my_volumetric->B.vmult_add(volume, src.block(0));
     dst.block(m) += volume;

@@ -7,6 +7,7 @@
 #include "solver/folded_cells.h"
 #include <signorini/parameters/raw.h>
 
+#include <algorithm>
 #include <set>
 
 namespace Signorini
@@ -51,53 +52,110 @@ namespace Signorini
 
 
 
-  // The pattern of B_m, which depends on materials and cells only.
+  // Simplices of second order may have all nodes on the surface; cubes have one inside.
+  template <int dim>
+  bool
+  VolumeConstraint<dim>::is_held(const Cell &cell) const
+  {
+    std::vector<types::global_dof_index> indices;
+    read_indices<dim>(cell, indices);
+    return std::all_of(indices.begin(), indices.end(), [&](const auto i) {
+      const auto *const entries = elasticity.constraints().get_constraint_entries(i);
+      return entries && entries->empty();
+    });
+  }
+
+
+
+  // The patterns of B_m and C_m, which depend on materials and cells only. Orthogonal functions
+  // have diagonal entries alone.
   template <int dim>
   void
   VolumeConstraint<dim>::make_pattern()
   {
-    const VolumetricStress<dim>         &volumetric = elasticity.volumetric_stress();
-    LA::SparsityPattern                  pattern(volumetric.owned(),
+    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    LA::SparsityPattern          pattern(volumetric.owned(),
                                 elasticity.owned(),
-                                elasticity.mesh().communicator());
+                                elasticity.mesh().communicator()),
+      of_masses(volumetric.owned(), volumetric.owned(), elasticity.mesh().communicator());
     std::vector<types::global_dof_index> indices;
     for_cells([&](const Cell &cell) {
       read_indices<dim>(cell, indices);
       free.add_entries_local_to_global(
         volumetric.indices(*cell), elasticity.constraints(), indices, pattern, false);
+      for_masses(cell, [&](const auto i, const auto j, const double) { of_masses.add(i, j); });
       return false;
     });
-    pattern.compress();
+    for (LA::SparsityPattern *one : {&pattern, &of_masses})
+      one->compress();
     my_coupling.B.reinit(pattern);
+    my_coupling.C.reinit(of_masses);
   }
 
 
 
-  // The diagonals of C_m and of the Schur complement (doc/theory, (6.20), (7.13)). At finite strain
-  // the energy m^2/(2 lambda) is per volume of the expanded body, m per volume at T_0: with the
-  // ratio s of these volumes, C_m is int phi^2/(s lambda) dV.
+  // C_m and the diagonal of the Schur complement (doc/theory, (6.20), (7.13)). At finite strain the
+  // energy m^2/(2 lambda) is per volume of the expanded body, m per volume at T_0: with the ratio s
+  // of these volumes, C_m is int phi_i phi_j/(s lambda) dV. Cells that are held have the compliance
+  // 1/(2 mu), so that differences within them cost as much as elsewhere.
   template <int dim>
   void
   VolumeConstraint<dim>::set_compliance()
   {
     const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
-    my_coupling.compliance = my_coupling.schur = volumetric.zero_vector();
+    my_coupling.C                           = 0;
+    my_coupling.schur                       = volumetric.zero_vector();
     for_cells([&](const Cell &cell) {
       const Material &material = elasticity.material(cell->material_id());
-      const double    size     = volumetric.size(*cell),
-                   ratio       = elasticity.is_finite_strain() ?
+      const double    ratio    = elasticity.is_finite_strain() ?
                                    elasticity.thermal().volume_ratio(*cell, cell->center()) :
                                    1.,
-                   compliance  = size * material.bulk_compliance() / ratio;
-      for (const auto i : volumetric.indices(*cell))
-        {
-          my_coupling.compliance(i) = compliance;
-          my_coupling.schur(i)      = compliance + size / (2 * material.mu());
-        }
+                   by_shear    = 1 / (2 * material.mu()),
+                   by_volume   = material.bulk_compliance() / ratio,
+                   compliance  = is_held(cell) ? by_shear : by_volume;
+      for_masses(cell, [&](const auto i, const auto j, const double mass) {
+        my_coupling.C.add(i, j, compliance * mass);
+        if (i == j)
+          my_coupling.schur(i) += (by_volume + by_shear) * mass;
+      });
       return false;
     });
-    my_coupling.compliance.compress(VectorOperation::insert);
-    my_coupling.schur.compress(VectorOperation::insert);
+    my_coupling.C.compress(VectorOperation::add);
+    my_coupling.schur.compress(VectorOperation::add);
+  }
+
+
+
+  // All entries of the mass matrix of a cell that are not zero by the choice of the functions. In a
+  // cell that is held, no displacement depends on m, so that a vertex of such cells alone would
+  // have any value: the form V (mean of m_v^2 - (mean of m_v)^2) of the n values m_v at the
+  // vertices takes the place of int m^2 dV, and lets them be equal.
+  template <int dim>
+  void
+  VolumeConstraint<dim>::for_masses(
+    const Cell                                                                          &cell,
+    const std::function<void(types::global_dof_index, types::global_dof_index, double)> &visit)
+    const
+  {
+    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    const auto                  &indices    = volumetric.indices(*cell);
+    const auto                  &one        = volumetric.one(*cell);
+    auto                         mass       = volumetric.mass(*cell);
+    if (is_held(cell))
+      {
+        constexpr double n      = dim + 1;
+        double           volume = 0;
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            volume += one[i] * mass[i][j] * one[j];
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            mass[i][j] = volume / n * ((i == j) - 1 / n) / (one[i] * one[j]);
+      }
+    for (unsigned int i = 0; i < indices.size(); ++i)
+      for (unsigned int j = 0; j < indices.size(); ++j)
+        if (mass[i][j] != 0)
+          visit(indices[i], indices[j], mass[i][j]);
   }
 
 
@@ -136,13 +194,15 @@ namespace Signorini
     const bool       extends = origin.size() > 0;
     const LA::Vector next    = constrained_ghosted(elasticity, u),
                      at      = extends ? elasticity.with_ghosts(origin) : next;
-    LA::Vector result        = elasticity.volumetric_stress().coefficients();
-    result.scale(my_coupling.compliance);
+    LA::Vector result        = elasticity.volumetric_stress().zero_vector();
+    my_coupling.C.vmult(result, elasticity.volumetric_stress().coefficients());
     // Cell by cell: changes of volume at the origin or at u, with their derivative if there is an
     // origin.
     Vector<double>     values, others, changes;
     FullMatrix<double> slopes;
     for_cells([&](const Cell &cell) {
+      if (is_held(cell))
+        return false;
       values.reinit(cell->get_fe().n_dofs_per_cell());
       cell->get_dof_values(at, values);
       if (!kernel.assemble(cell, values, changes, extends ? &slopes : nullptr))
@@ -220,13 +280,16 @@ namespace Signorini
       {
         LA::Vector constant = volumetric.zero_vector(), rough = constant;
         for_cells([&](const Cell &cell) {
-          const auto &indices = volumetric.indices(*cell);
           if (mesh.body(cell) == body)
-            {
-              // The function with the constant value 1; the first function of a cell is constant.
-              constant(indices[0]) = 1 / volumetric.functions(*cell, cell->center())[0];
-              rough(indices[0])    = indices[0] / (dim + 1) % 2 == 0 ? constant(indices[0]) : 0.;
-            }
+            for (unsigned int i = 0; i <= dim; ++i)
+              {
+                const auto   index = volumetric.indices(*cell)[i];
+                const double one   = volumetric.one(*cell)[i];
+                constant(index)    = one;
+                // Signs that differ between neighbours, with dim + 1 numbers a cell or one a
+                // vertex.
+                rough(index) = (index / (dim + 1) + index) % 2 == 0 ? one : 0.;
+              }
           return false;
         });
         for (LA::Vector *v : {&constant, &rough})

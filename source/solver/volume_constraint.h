@@ -23,8 +23,8 @@ namespace Signorini
 
     explicit VolumeConstraint(Elasticity<dim> &elasticity);
 
-    /// Set the diagonals of the compliance and of the Schur complement, which at finite strain
-    /// depend on temperatures; to be called when these have changed. Collective.
+    /// Set C_m and the diagonal of the Schur complement, which at finite strain depend on
+    /// temperatures; to be called when these have changed. Collective.
     void
     set_compliance();
 
@@ -65,7 +65,16 @@ namespace Signorini
     /// returns whether the cell is inverted. Throws SolverFailure then. Collective.
     void
     for_cells(const std::function<bool(const Cell &cell)> &visit) const;
-    /// Set the sparsity pattern of B_m.
+    /// Call visit(i, j, int phi_i phi_j dV) for the entries of the mass matrix of a cell.
+    void
+    for_masses(
+      const Cell                                                                   &cell,
+      const std::function<void(
+        dealii::types::global_dof_index, dealii::types::global_dof_index, double)> &visit) const;
+    /// True if all displacements of a cell are prescribed.
+    bool
+    is_held(const Cell &cell) const;
+    /// Set the sparsity patterns of B_m and C_m.
     void
     make_pattern();
     /// Throws SceneError if an incompressible body is constrained on its whole surface, so that its

@@ -11,11 +11,11 @@ namespace Signorini
   ///     [ K   B^T ] [du]
   ///     [ B   -C  ] [dm]
   ///
-  /// B = int phi dtheta/du, C = int phi phi/lambda, see VolumetricStress.
+  /// B = int phi_i dtheta/du, C = int phi_i phi_j/lambda, see VolumetricStress.
   struct VolumetricCoupling
   {
-    LA::SparseMatrix B;          ///< zero in the columns of constrained degrees of freedom
-    LA::Vector       compliance; ///< the diagonal of the diagonal matrix C
+    LA::SparseMatrix B;     ///< zero in the columns of constrained degrees of freedom
+    LA::SparseMatrix C;     ///< diagonal where functions are orthogonal
     LA::Vector       schur; ///< approximation of the diagonal of C + B K^-1 B^T, for any lambda
   };
 

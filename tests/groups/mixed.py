@@ -3,10 +3,13 @@
 know Poisson's ratio; bodies of both formulations meet; what the program refuses."""
 
 import csv
+import itertools
 from pathlib import Path
 
 from case import SCENES, Case, method, short
 
+import tetrahedra
+import triangles
 from convergence import converges
 from patch import EXACT, uniform
 
@@ -89,8 +92,158 @@ def patches():
                            uniform(scene, [*method(one), *mixed(*bodies)], pressure, ranks=2 if len(bodies) == 2 else 1))
 
 
+# Two layers of one body, whose sides do not move: both have the stress s in y, and the bulk stress s lambda/(lambda + 2 mu) jumps.
+LAYERS = """set Dimension = 2
+subsection Bodies
+  set Names = body
+  subsection body
+    set Mesh            = file
+    set File            = layers.inp
+    set Cells           = as in file
+    set Young's modulus = 1
+    set Poisson's ratio = 0.49
+    subsection Materials
+      set Names = upper
+      subsection upper
+        set Cells           = UPPER
+        set Young's modulus = 100
+        set Poisson's ratio = 0.48
+      end
+    end
+  end
+end
+subsection Supports
+  set Names = base, sides
+  subsection base
+    set Boundaries   = body.bottom
+    set Displacement = free; 0
+  end
+  subsection sides
+    set Boundaries   = body.left, body.right
+    set Displacement = 0; free
+  end
+end
+subsection Loads
+  set Names = lid
+  subsection lid
+    set Boundaries = body.top
+    set Traction   = 0; -0.01
+  end
+end
+subsection Output
+  subsection Probes
+    set Names = below, above
+    subsection below
+      set Body  = body
+      set Point = 0.3, 0.49
+    end
+    subsection above
+      set Body  = body
+      set Point = 0.3, 0.51
+    end
+  end
+end
+"""
+
+
+def layers(test):
+    """Bulk stresses of triangles jump between materials of one body, and are exact where they are uniform in each."""
+    grid = triangles.Grid(2, 2, lambda x, y: (x, y))
+    test.write("layers.inp", grid.text() + "*ELSET, ELSET=UPPER\n5, 6, 7, 8\n")
+    probes = test.results(test.write("layers.prm", LAYERS), [], 2)["load_steps"][-1]["probes"]
+    for name, ratio in (("below", 0.49), ("above", 0.48)):
+        wanted = -0.01 * ratio / (1 - ratio)
+        found = probes[name]["stress"]["xx"]
+        test.check(abs(found / wanted - 1) <= 1e-9, f"{name}: {found:.12g} instead of {wanted:.12g}")
+
+
+CAVITY = """set Dimension = 3
+subsection Bodies
+  set Names = body
+  subsection body
+    set Mesh            = file
+    set File            = cavity.inp
+    set Young's modulus = 1
+    set Poisson's ratio = 0.5
+  end
+end
+subsection Supports
+  set Names = walls
+  subsection walls
+    set Boundaries   = body.bottom, body.left, body.right, body.front, body.back
+    set Displacement = 0; 0; 0
+  end
+end
+subsection Loads
+  set Names = lid
+  subsection lid
+    set Boundaries = body.top
+    set Traction   = 0; 0; -0.01
+  end
+end
+subsection Output
+  subsection Probes
+    set Names = corner, middle
+    subsection corner
+      set Body  = body
+      set Point = 0.01, 0.01, 0.01
+    end
+    subsection middle
+      set Body  = body
+      set Point = 0.5, 0.5, 0.5
+    end
+  end
+end
+"""
+
+
+class Fives(tetrahedra.Grid):
+    """Five tetrahedra in each cell, mirrored in turn: that of a corner touches the surface with three faces."""
+
+    def corners_of_cells(self):
+        for cell in itertools.product(*map(range, self.n)):
+            flip = sum(cell) % 2
+            for four in ("100 010 001 111", "000 100 010 001", "110 010 100 111", "101 001 111 100", "011 111 001 010"):
+                corners = [tuple(2 * (c + ((int(x) + flip) % 2 if d == 0 else int(x))) for d, (c, x) in enumerate(zip(cell, one)))
+                           for one in four.split()]
+                yield corners if not flip else [corners[1], corners[0], *corners[2:]]
+
+
+def held(test):
+    """Water in a cavity: one pressure, also in the cells of its corners, all of whose nodes are held."""
+    test.write("cavity.inp", Fives((2, 2, 2), lambda *x: x).text())
+    scene = test.write("cavity.prm", CAVITY)
+    for ratio in (0.5, 0.4999999):
+        probes = test.results(scene, [f"Bodies/body/Poisson's ratio={ratio}"])["load_steps"][-1]["probes"]
+        for name in ("corner", "middle"):
+            found = probes[name]["stress"]["zz"]
+            test.check(abs(found / -0.01 - 1) <= 1e-4, f"{name}: {found:.9g} instead of -0.01")
+
+
+def simplices():
+    """Taylor and Hood's triangles and tetrahedra: the orders of quadrilaterals, patch tests, temperature, finite strain."""
+    for ratio in (0.3, 0.5):
+        for quantity, least in (("energy", 1.9), ("volumetric_stress", 1.9), ("displacement", 2.8), ("pressure", 1.4)):
+            yield Case("mixed/triangles", f"nu={ratio}/{quantity}", labels={"full"}, body=triangles.converges(
+                triangles.finer(SMOOTH, 2), (2, 4, 8), f"errors/{quantity}", least,
+                sets=[f"Definitions/nu={ratio}", *method("Lagrange multiplier")]))
+    for kind, patch in (("triangles", triangles.patch), ("tetrahedra", tetrahedra.patch)):
+        for i, (order, one, bodies) in enumerate(((1, "Lagrange multiplier", None), (2, "augmented Lagrangian", ["lower"]),
+                                                  (2, "Nitsche", ["upper"]), (2, "Nitsche", None))):
+            yield Case("mixed/simplices", f"{kind}-{order}/{short(one)}/{'-'.join(bodies or ['all'])}",
+                       patch(order, bodies, [*method(one), *mixed("lower", "upper")], 1 + i % 2), 1 + i % 2)
+    for with_simplices, scene, *bodies in ((triangles.with_triangles, "thermal-patch-2d", "lower", "upper"),
+                                           (triangles.with_triangles, "thermal-rings-axisymmetric", "inner", "outer"),
+                                           (tetrahedra.with_tetrahedra, "thermal-finite", "block")):
+        yield Case("mixed/simplices", scene, triangles.same_expected(
+            lambda test, make=with_simplices, scene=scene: make(test, SCENES / f"{scene}.prm", 2), 2, mixed(*bodies)), 2)
+    yield Case("mixed/simplices", "layers", layers, 2)
+    yield Case("mixed/simplices", "held", held)
+
+
 def cases():
     yield from orders()
+    yield from simplices()
     yield from patches()
     for ratio in (0.4999, 0.5):
         yield Case("mixed/hertz", f"nu={ratio}", hertz(ratio))

@@ -13,8 +13,9 @@ namespace Signorini
 {
   using namespace dealii;
 
-  // 2 mu max int_F m^2/int_T m^2 (doc/theory, 2.7): the functions are orthogonal on the cell with a
-  // common size, so that it is the largest eigenvalue of their mass matrix on the face, scaled.
+  // 2 mu max int_F m^2/int_T m^2 (doc/theory, 2.7), the largest eigenvalue of the mass matrix on
+  // the face with respect to that of the cell. With the former as V V^T, V^T M^-1 V has the same
+  // one.
   template <int dim>
   double
   NormalStress<dim>::bound_of_volumetric_stress(const unsigned int face) const
@@ -36,8 +37,12 @@ namespace Signorini
         for (unsigned int i = 0; i < n; ++i)
           values(i, q) = root * phi[i];
       }
-    return 2 * elasticity.material(cell->material_id()).mu() / volumetric.size(*cell) *
-           eigenvalues_of_symmetric(values * values.transpose()).maxCoeff();
+    Eigen::MatrixXd mass(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        mass(i, j) = volumetric.mass(*cell)[i][j];
+    return 2 * elasticity.material(cell->material_id()).mu() *
+           eigenvalues_of_symmetric(values.transpose() * solve_symmetric(mass, values)).maxCoeff();
   }
 
 

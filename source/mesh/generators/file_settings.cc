@@ -54,12 +54,12 @@ namespace Signorini
         "quadrilaterals: each triangle is divided into three quadrilaterals; as in file: triangles "
         "are kept, with the degrees of freedom of the file and without refinement; automatic: "
         "triangles of second order are kept, unless the scene asks for adaptive or refined meshes, "
-        "the mixed formulation, internal variables, or degree 1" :
+        "internal variables, or degree 1" :
         "hexahedra: tetrahedra, wedges and pyramids are divided into hexahedra; as in file: "
         "tetrahedra are kept, with the degrees of freedom of the file and without refinement; "
         "wedges, pyramids and hexahedra of second order beside them are cut into tetrahedra; "
         "automatic: the same for cells of second order, unless the scene asks for adaptive or "
-        "refined meshes, the mixed formulation, internal variables, or degree 1");
+        "refined meshes, internal variables, or degree 1");
     section.add("Boundaries",
                 selection.boundaries,
                 "names in the file that are boundaries, separated by commas; a face belongs to the "
