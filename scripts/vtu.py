@@ -14,6 +14,19 @@ import numpy as np
 CORNERS = {3: range(2), 68: range(2), 9: range(4), 70: range(4), 12: range(8), 72: range(8)}
 # Triangles and tetrahedra (5 and 10, of second order 22 and 24) become cells with corners that coincide.
 CORNERS |= dict.fromkeys((5, 22, 69), (0, 1, 2, 2)) | dict.fromkeys((10, 24, 71), (0, 1, 2, 2, 3, 3, 3, 3))
+# Quadrilaterals and hexahedra of second order (28 and 29) are cut into 4 and 8: the numbers of their nodes by row and layer.
+LATTICES = {28: np.array([0, 4, 1, 7, 8, 5, 3, 6, 2]).reshape(1, 3, 3),
+            29: np.array([0, 8, 1, 11, 24, 9, 3, 10, 2, 16, 22, 17, 20, 26, 21, 19, 23, 18, 4, 12, 5, 15, 25, 13, 7, 14, 6]).reshape(3, 3, 3)}
+
+
+def parts_of(kind):
+    """The corners of the parts of a cell, by its VTK type."""
+    if kind not in LATTICES:
+        return np.array([CORNERS[kind]])
+    lattice, around = LATTICES[kind], ((0, 0), (0, 1), (1, 1), (1, 0))
+    layers = (0, 1) if kind == 29 else (0,)
+    return np.array([[lattice[k + z, j + y, i + x] for z in layers for y, x in around]
+                     for k in layers for j in (0, 1) for i in (0, 1)])
 
 
 @dataclass
@@ -81,21 +94,19 @@ def read_piece(piece, root):
         return Mesh(np.empty((0, 3)), np.empty((0, 4), int), {})
     arrays = {array.get("Name"): read_array(array, root) for array in piece.find("Cells")}
     starts = np.concatenate([[0], arrays["offsets"][:-1].astype(int)])
-    kinds, kind = np.unique(arrays["types"], return_inverse=True)
-    cells = arrays["connectivity"].astype(int)[starts[:, None] + np.array([CORNERS[one] for one in kinds])[kind]]
+    cells, owner = [], []
+    for kind in np.unique(arrays["types"]):
+        of_kind, parts = np.flatnonzero(arrays["types"] == kind), parts_of(kind)
+        cells.append((starts[of_kind, None, None] + parts).reshape(-1, parts.shape[1]))
+        owner.append(np.repeat(of_kind, len(parts)))
+    corners, owner = arrays["connectivity"].astype(int)[np.concatenate(cells)], np.concatenate(owner)
 
-    points = read_array(piece.find("Points")[0], root)
-    fields = {array.get("Name"): read_array(array, root) for array in piece.findall("PointData/DataArray")}
-    for array in piece.findall("CellData/DataArray"):  # cells do not share points, so this loses nothing
-        values = read_array(array, root)
-        fields[array.get("Name")] = at_points = np.zeros((len(points), *values.shape[1:]))
-        at_points[cells] = values[:, None]
-
-    corners = np.unique(cells)
-    if len(corners) < len(points):
-        points, fields = points[corners], {name: values[corners] for name, values in fields.items()}
-        cells = np.searchsorted(corners, cells)
-    return Mesh(points, cells, fields)
+    # Each cell gets copies of its points, so that fields of cells can be given there too.
+    points = read_array(piece.find("Points")[0], root)[corners.ravel()]
+    fields = {array.get("Name"): read_array(array, root)[corners.ravel()] for array in piece.findall("PointData/DataArray")}
+    for array in piece.findall("CellData/DataArray"):
+        fields[array.get("Name")] = np.repeat(read_array(array, root)[owner], corners.shape[1], axis=0)
+    return Mesh(points, np.arange(corners.size).reshape(corners.shape), fields)
 
 
 def read_array(array, root):

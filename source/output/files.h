@@ -11,9 +11,9 @@ namespace Signorini
 {
   /// Write solution_NNNN.pvtu and its pieces (NNNN is the step). At reference positions:
   /// `displacement`, `von_mises`, `stress` (three-dimensional, with sigma_zz in 2D: nine
-  /// components, positive in tension; discontinuous between cells), `principal_stress_1` (the
-  /// largest) to `_3`, and for each cell `body` (its name in the field data `body_names`) and
-  /// `subdomain` (the rank). Throws OutputError. Collective.
+  /// components, positive in tension; at a node the mean over the cells of a material around it),
+  /// `principal_stress_1` (the largest) to `_3`, and for each cell `body` (its name in the field
+  /// data `body_names`) and `subdomain` (the rank). Throws OutputError. Collective.
   /// @param snapshot the solution
   /// @param directory in which files are written
   /// @param with_strain whether `strain` (nine components, see Elasticity::strain()) and

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "output/unstructured_grid.h"
+
 #include <deal.II/base/data_out_base.h>
 
 #include <string>
@@ -30,10 +32,17 @@ namespace Signorini
     std::vector<std::string> names;
   };
 
-  /// Write one file for each rank that has patches (an empty file would lack the fields that
+  /// Write one file for each rank that has cells (an empty file would lack the fields that
   /// readers expect), and the record of all. The field data contain the time (`TimeValue`) and the
   /// names. Throws OutputError on all ranks if a file cannot be written. Collective.
-  /// @param patches of this rank
+  /// @param grid of this rank
+  /// @param settings of the data set
+  /// @param comm the ranks
+  /// @return the name of the record
+  std::string
+  write_pieces(const UnstructuredGrid &grid, const PieceSettings &settings, MPI_Comm comm);
+
+  /// The same for patches. @param patches of this rank
   /// @param data_names names of the columns
   /// @param ranges vectors and tensors among the columns
   /// @param settings of the data set

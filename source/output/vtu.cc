@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "linear_algebra/values.h"
 #include "output/files.h"
 #include "output/pieces.h"
+#include "solid/cell_displacement.h"
+#include "solid/cell_nodes.h"
+#include "solid/scalar_elements.h"
 #include "solid/stress.h"
 #include <signorini/solid/model.h>
 
-#include <deal.II/numerics/data_out.h>
-#include <deal.II/numerics/data_postprocessor.h>
-
-#include <algorithm>
 #include <array>
-#include <utility>
+#include <cmath>
+#include <unordered_map>
 
 namespace Signorini
 {
@@ -17,193 +18,343 @@ namespace Signorini
 
   namespace
   {
-    /// The names of the columns of a tensor in space: its components row by row, then its principal
-    /// values. Tensors of deal.II have dim * dim components, without those across the plane: the
-    /// class Bodies combines nine scalars to one tensor.
-    std::vector<std::string>
-    columns_of(const std::string &tensor)
+    /// A cell type of VTK, and the unit coordinates of its nodes.
+    template <int dim>
+    struct VtkCell
     {
-      std::vector<std::string> result;
-      for (unsigned int c = 0; c < 9; ++c)
-        result.push_back(tensor + "_" + std::to_string(c));
-      for (unsigned int c = 1; c <= 3; ++c)
-        result.push_back("principal_" + tensor + "_" + std::to_string(c));
+      std::uint8_t            type;
+      std::vector<Point<dim>> nodes;
+    };
+
+    /// The nodes of cells of degree 2 are corners, and means of corners: of those of each edge, on
+    /// quadrilaterals and hexahedra also of each face and of all.
+    using Corners = std::vector<std::vector<unsigned int>>;
+
+    /// The corners in the order of VTK: those of hypercubes go around.
+    template <int dim>
+    std::vector<Point<dim>>
+    corners_of(const ReferenceCell &shape)
+    {
+      std::vector<Point<dim>> result;
+      for (const unsigned int v : shape.vertex_indices())
+        result.push_back(shape.template vertex<dim>(v));
+      if (shape.is_hyper_cube())
+        for (unsigned int v = 2; v < result.size(); v += 4)
+          std::swap(result[v], result[v + 1]);
       return result;
     }
 
-
-
-    /// Computes quantities from displacement and strain at points of cells: scalars, whose names
-    /// are given.
+    /// @param degree 1 or 2
     template <int dim>
-    class Postprocessor : public DataPostprocessor<dim>
+    VtkCell<dim>
+    vtk_cell(const ReferenceCell &shape, const unsigned int degree)
     {
-    public:
-      Postprocessor(const Elasticity<dim> &elasticity, std::vector<std::string> names)
-        : elasticity(elasticity)
-        , names(std::move(names))
-      {}
-
-      /// The values of a point, in the order of the names.
-      virtual void
-      evaluate(const CellAccessor<dim> &cell,
-               const Tensor<2, dim>    &gradient,
-               const Tensor<1, dim>    &u,
-               const Point<dim>        &x,
-               Vector<double>          &values) const = 0;
-
-      void
-      evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
-                            std::vector<Vector<double>>                &computed) const override
-      {
-        const auto cell = inputs.template get_cell<dim>();
-        // On meshes of cells of different shapes `computed` has the size for another cell.
-        const unsigned int n = inputs.evaluation_points.size();
-        computed.resize(std::max<std::size_t>(computed.size(), n));
-        for (unsigned int q = 0; q < n; ++q)
+      static const Corners triangle{{0, 1}, {1, 2}, {2, 0}},
+        tetrahedron{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}},
+        quadrilateral{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}},
+        hexahedron{{0, 1},
+                   {1, 2},
+                   {2, 3},
+                   {3, 0},
+                   {4, 5},
+                   {5, 6},
+                   {6, 7},
+                   {7, 4},
+                   {0, 4},
+                   {1, 5},
+                   {2, 6},
+                   {3, 7},
+                   {0, 4, 7, 3},
+                   {1, 2, 6, 5},
+                   {0, 1, 5, 4},
+                   {3, 7, 6, 2},
+                   {0, 3, 2, 1},
+                   {4, 5, 6, 7},
+                   {0, 1, 2, 3, 4, 5, 6, 7}};
+      const bool     is_cube = shape.is_hyper_cube();
+      const Corners &means =
+        dim == 2 ? (is_cube ? quadrilateral : triangle) : (is_cube ? hexahedron : tetrahedron);
+      const std::array<std::uint8_t, 2> types =
+        dim == 2 ?
+          (is_cube ? std::array<std::uint8_t, 2>{{9, 28}} : std::array<std::uint8_t, 2>{{5, 22}}) :
+          (is_cube ? std::array<std::uint8_t, 2>{{12, 29}} : std::array<std::uint8_t, 2>{{10, 24}});
+      AssertThrow(degree == 1 || degree == 2, ExcNotImplemented());
+      VtkCell<dim> result{types[degree - 1], corners_of<dim>(shape)};
+      if (degree == 2)
+        for (const auto &group : means)
           {
-            computed[q].reinit(names.size());
-            Tensor<2, dim> gradient;
-            Tensor<1, dim> u;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                gradient[d] = inputs.solution_gradients[q][d];
-                u[d]        = inputs.solution_values[q][d];
-              }
-            evaluate(*cell, gradient, u, inputs.evaluation_points[q], computed[q]);
+            Point<dim> mean;
+            for (const unsigned int corner : group)
+              mean += result.nodes[corner] / double(group.size());
+            result.nodes.push_back(mean);
           }
-      }
+      return result;
+    }
 
-      std::vector<std::string>
-      get_names() const override
-      {
-        return names;
-      }
-
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>
-      get_data_component_interpretation() const override
-      {
-        return {names.size(), DataComponentInterpretation::component_is_scalar};
-      }
-
-      UpdateFlags
-      get_needed_update_flags() const override
-      {
-        return update_values | update_gradients | update_quadrature_points;
-      }
-
-    protected:
-      /// Write a tensor to the columns of columns_of(), from column `first` on.
-      static void
-      write(const SymmetricTensor<2, 3> &tensor, const unsigned int first, Vector<double> &values)
-      {
-        for (unsigned int c = 0; c < 9; ++c)
-          values[first + c] = tensor[c / 3][c % 3];
-        const std::array<double, 3> principal = eigenvalues(tensor); // the largest first
-        for (unsigned int c = 0; c < 3; ++c)
-          values[first + 9 + c] = principal[c];
-      }
-
-      const Elasticity<dim> &elasticity;
-
-    private:
-      const std::vector<std::string> names;
+    /// How the nodes of an element appear in files.
+    template <int dim>
+    struct ElementNodes
+    {
+      VtkCell<dim> cell;
+      /// For each node of the VTK cell, the numbers of its components in the element.
+      std::vector<std::array<unsigned int, dim>> dofs;
     };
 
-
-
-    /// The stress, and its von Mises stress behind it.
     template <int dim>
-    class StressPostprocessor : public Postprocessor<dim>
+    ElementNodes<dim>
+    nodes_of(const FiniteElement<dim> &fe)
+    {
+      ElementNodes<dim> result{vtk_cell<dim>(fe.reference_cell(), fe.degree), {}};
+      const auto       &points = fe.base_element(0).get_unit_support_points();
+      for (const Point<dim> &node : result.cell.nodes)
+        {
+          const auto found = std::find_if(points.begin(), points.end(), [&](const Point<dim> &x) {
+            return x.distance(node) < 1e-10;
+          });
+          AssertThrow(found != points.end(), ExcInternalError());
+          auto &dofs = result.dofs.emplace_back();
+          for (unsigned int d = 0; d < dim; ++d)
+            dofs[d] = fe.component_to_system_index(d, found - points.begin());
+        }
+      return result;
+    }
+
+    /// For each material, how many materials of its body are before it.
+    template <int dim>
+    std::vector<unsigned int>
+    layers_of_materials(const Mesh<dim> &mesh)
+    {
+      std::vector<unsigned int> result, n_of_body(mesh.n_bodies(), 0);
+      for (unsigned int id = 0; id < mesh.n_materials(); ++id)
+        result.push_back(n_of_body[mesh.body_of_material(id)]++);
+      return result;
+    }
+
+    /// The bodies with displacement and tensors at nodes. Tensors jump between cells: at a node
+    /// they are the mean over the cells around it, weighted with the Jacobian determinants there.
+    /// Bodies jump at interfaces of their materials, where each material has points of its own:
+    /// layer k is the k-th material of each body.
+    template <int dim>
+    class NodalGrid
     {
     public:
-      StressPostprocessor(const Elasticity<dim> &elasticity)
-        : Postprocessor<dim>(elasticity, names())
-      {}
-
-      void
-      evaluate(const CellAccessor<dim> &cell,
-               const Tensor<2, dim>    &gradient,
-               const Tensor<1, dim>    &u,
-               const Point<dim>        &x,
-               Vector<double>          &values) const override
+      NodalGrid(const Snapshot<dim> &snapshot, const bool with_strain)
+        : elasticity(snapshot.elasticity)
+        , displacement(elasticity.with_ghosts(snapshot.displacement))
+        , n_values(with_strain ? 12 : 6)
+        , layers(layers_of_materials(elasticity.mesh()))
       {
-        const SymmetricTensor<2, 3> sigma = this->elasticity.stress(cell, gradient, u, x);
-        this->write(sigma, 0, values);
-        values[values.size() - 1] = von_mises(sigma);
+        for (const auto &fe : elasticity.finite_elements())
+          elements.push_back(nodes_of(fe));
+        grid.of_points.push_back({"displacement", 3, {}});
+        for (const std::string &tensor : with_strain ?
+                                           std::vector<std::string>{"stress", "strain"} :
+                                           std::vector<std::string>{"stress"})
+          {
+            grid.of_points.push_back({tensor, 9, {}});
+            for (const char *number : {"1", "2", "3"})
+              grid.of_points.push_back({"principal_" + tensor + "_" + number, 1, {}});
+          }
+        grid.of_points.push_back({"von_mises", 1, {}});
+        grid.of_cells               = {{"body", 1, {}}, {"subdomain", 1, {}}};
+        const unsigned int n_layers = *std::max_element(layers.begin(), layers.end()) + 1;
+        for (unsigned int layer = 0; layer < n_layers; ++layer)
+          add(layer);
       }
 
+      UnstructuredGrid grid;
+
     private:
-      static std::vector<std::string>
-      names()
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+      /// The degrees of freedom of a node.
+      using Node = std::array<types::global_dof_index, dim>;
+
+      /// The points of a layer, and the integrals of their tensors.
+      struct Layer
       {
-        std::vector<std::string> result = columns_of("stress");
-        result.push_back("von_mises");
+        std::unordered_map<types::global_dof_index, unsigned int>
+                            numbers; ///< by the first of a Node
+        std::vector<Node>   nodes;
+        std::vector<double> weights, sums; ///< n_values sums a point
+      };
+
+      /// The rule of each element whose points are its nodes, with the weight 1.
+      hp::QCollection<dim>
+      rules() const
+      {
+        hp::QCollection<dim> result;
+        for (const auto &element : elements)
+          result.push_back(Quadrature<dim>(element.cell.nodes,
+                                           std::vector<double>(element.cell.nodes.size(), 1.)));
         return result;
       }
-    };
 
+      /// Add the cells, points and fields of a layer. Collective.
+      void
+      add(const unsigned int number)
+      {
+        const Mesh<dim>                     &mesh = elasticity.mesh();
+        CellDisplacement<dim>                at(elasticity, displacement, rules());
+        Layer                                layer;
+        std::vector<types::global_dof_index> indices;
+        const unsigned int                   first = grid.points.size() / 3;
+        for (const Cell &cell : elasticity.dof_handler().active_cell_iterators())
+          if (cell->is_locally_owned() && layers[cell->material_id()] == number)
+            {
+              const ElementNodes<dim> &element = elements[cell->active_fe_index()];
+              read_indices<dim>(cell, indices);
+              const FEValues<dim> &values = at.reinit(cell);
+              for (unsigned int q = 0; q < element.dofs.size(); ++q)
+                {
+                  Node node;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    node[d] = indices[element.dofs[q][d]];
+                  const unsigned int i = point(layer, node, values.quadrature_point(q), at.u[q]);
+                  grid.connectivity.push_back(first + i);
+                  add_tensors(layer,
+                              i,
+                              values.JxW(q),
+                              cell,
+                              at.gradient[q],
+                              at.u[q],
+                              values.quadrature_point(q));
+                }
+              grid.offsets.push_back(grid.connectivity.size());
+              grid.types.push_back(element.cell.type);
+              grid.of_cells[0].values.push_back(mesh.body(cell));
+              grid.of_cells[1].values.push_back(mesh.triangulation().locally_owned_subdomain());
+            }
+        add_means(layer);
+      }
 
-
-    /// The strain.
-    template <int dim>
-    class StrainPostprocessor : public Postprocessor<dim>
-    {
-    public:
-      StrainPostprocessor(const Elasticity<dim> &elasticity)
-        : Postprocessor<dim>(elasticity, columns_of("strain"))
-      {}
+      /// The number of a node in its layer; a new one becomes a point.
+      unsigned int
+      point(Layer &layer, const Node &node, const Point<dim> &x, const Tensor<1, dim> &u)
+      {
+        const auto [found, is_new] = layer.numbers.try_emplace(node[0], layer.nodes.size());
+        if (is_new)
+          {
+            layer.nodes.push_back(node);
+            layer.weights.push_back(0);
+            layer.sums.resize(layer.sums.size() + n_values, 0.);
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                grid.points.push_back(d < dim ? x[d] : 0.);
+                grid.of_points[0].values.push_back(d < dim ? u[d] : 0.);
+              }
+          }
+        return found->second;
+      }
 
       void
-      evaluate(const CellAccessor<dim> &cell,
-               const Tensor<2, dim>    &gradient,
-               const Tensor<1, dim>    &u,
-               const Point<dim>        &x,
-               Vector<double>          &values) const override
+      add_tensors(Layer                &layer,
+                  const unsigned int    i,
+                  const double          weight,
+                  const Cell           &cell,
+                  const Tensor<2, dim> &gradient,
+                  const Tensor<1, dim> &u,
+                  const Point<dim>     &x) const
       {
-        this->write(this->elasticity.strain(cell, gradient, u, x), 0, values);
-      }
-    };
-
-
-
-    /// The output of bodies, with the components of stress and strain as one tensor each.
-    template <int dim>
-    class Bodies : public DataOut<dim>
-    {
-    public:
-      /// Write the files.
-      /// @return the name of the record
-      std::string
-      write(const PieceSettings &settings, const MPI_Comm comm) const
-      {
-        return write_pieces(this->get_patches(),
-                            this->get_dataset_names(),
-                            get_nonscalar_data_ranges(),
-                            settings,
-                            comm);
-      }
-
-    private:
-      NonscalarRanges
-      get_nonscalar_data_ranges() const override
-      {
-        NonscalarRanges ranges = DataOut<dim>::get_nonscalar_data_ranges();
-        const auto      names  = this->get_dataset_names();
-        for (const char *const tensor : {"stress", "strain"})
+        layer.weights[i] += weight;
+        for (unsigned int first = 0; first < n_values; first += 6)
           {
-            const auto first = std::find(names.begin(), names.end(), columns_of(tensor).front());
-            if (first != names.end())
-              ranges.emplace_back(first - names.begin(),
-                                  first - names.begin() + 8,
-                                  tensor,
-                                  DataComponentInterpretation::component_is_part_of_tensor);
+            const SymmetricTensor<2, 3> tensor = first == 0 ?
+                                                   elasticity.stress(*cell, gradient, u, x) :
+                                                   elasticity.strain(*cell, gradient, u, x);
+            for (unsigned int c = 0; c < 6; ++c)
+              layer.sums[i * n_values + first + c] += weight * tensor.access_raw_entry(c);
           }
-        return ranges;
       }
+
+      /// Add the fields of the tensors at the points of a layer. Sums and weights of several ranks
+      /// are added up at the degrees of freedom of their nodes, dim values at a time. A hanging
+      /// node has the value between the nodes that determine its displacement, so that fields are
+      /// continuous there. Collective.
+      void
+      add_means(const Layer &layer)
+      {
+        const unsigned int n_blocks = (n_values + dim - 1) / dim;
+        const LA::Vector   weights =
+          added_up(layer, [&](const unsigned int i, unsigned int) { return layer.weights[i]; });
+        std::vector<LA::Vector> means;
+        for (unsigned int block = 0; block < n_blocks; ++block)
+          {
+            means.push_back(added_up(layer, [&](const unsigned int i, const unsigned int d) {
+              const unsigned int c = block * dim + d;
+              return c < n_values ? layer.sums[i * n_values + c] : 0.;
+            }));
+            double *const       values = LA::values_of(means.back());
+            const double *const weight = LA::values_of(weights);
+            for (unsigned int i = 0; i < weights.locally_owned_size(); ++i)
+              values[i] /= weight[i] > 0 ? weight[i] : 1;
+            means.back() = elasticity.with_ghosts(means.back());
+          }
+        const LA::Vector weights_around = elasticity.with_ghosts(weights);
+        for (const Node &node : layer.nodes)
+          {
+            std::array<double, 12> values{};
+            for (unsigned int c = 0; c < n_values; ++c)
+              values[c] = mean(node[c % dim], means[c / dim], weights_around);
+            add_fields(values);
+          }
+      }
+
+      /// A vector of the values of the points of all ranks. @param value of point and component
+      template <typename Value>
+      LA::Vector
+      added_up(const Layer &layer, const Value &value) const
+      {
+        LA::Vector result = elasticity.zero_vector();
+        for (unsigned int i = 0; i < layer.nodes.size(); ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            result(layer.nodes[i][d]) += value(i, d);
+        result.compress(VectorOperation::add);
+        return result;
+      }
+
+      /// The mean at a degree of freedom; at hanging nodes from those that all belong to the layer.
+      double
+      mean(const types::global_dof_index dof,
+           const LA::Vector             &means,
+           const LA::Vector             &weights) const
+      {
+        const auto *const entries = elasticity.hanging_nodes().get_constraint_entries(dof);
+        if (!entries || std::any_of(entries->begin(), entries->end(), [&](const auto &entry) {
+              return !(weights(entry.first) > 0);
+            }))
+          return means(dof);
+        double result = 0;
+        for (const auto &[other, factor] : *entries)
+          result += factor * means(other);
+        return result;
+      }
+
+      /// Add the fields of one point.
+      void
+      add_fields(const std::array<double, 12> &values)
+      {
+        auto field = grid.of_points.begin() + 1;
+        for (unsigned int first = 0; first < n_values; first += 6)
+          {
+            SymmetricTensor<2, 3> tensor;
+            for (unsigned int c = 0; c < 6; ++c)
+              tensor.access_raw_entry(c) = values[first + c];
+            for (unsigned int c = 0; c < 9; ++c)
+              field->values.push_back(tensor[c / 3][c % 3]);
+            for (const double principal : eigenvalues(tensor)) // the largest first
+              (++field)->values.push_back(principal);
+            ++field;
+            if (first == 0)
+              grid.of_points.back().values.push_back(von_mises(tensor));
+          }
+      }
+
+      const Elasticity<dim>          &elasticity;
+      const LA::Vector                displacement;
+      const unsigned int              n_values; ///< six for each tensor
+      const std::vector<unsigned int> layers;   ///< by material id
+      std::vector<ElementNodes<dim>>  elements; ///< by active FE index
     };
-
-
 
     /// @return the names of all bodies.
     template <int dim>
@@ -215,65 +366,20 @@ namespace Signorini
         names.push_back(mesh.body_name(b));
       return names;
     }
-
-
-
-    /// @return the index of the body of each locally owned cell.
-    template <int dim>
-    Vector<float>
-    body_of_cells(const Mesh<dim> &mesh)
-    {
-      const auto   &triangulation = mesh.triangulation();
-      Vector<float> bodies(triangulation.n_active_cells());
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          bodies[cell->active_cell_index()] = mesh.body(cell);
-      return bodies;
-    }
   } // namespace
 
 
 
-  // Displacement and stress on patches with as many subdivisions as the degree; body and rank as
-  // cell data.
   template <int dim>
   std::string
   write_bodies(const Snapshot<dim> &snapshot, const std::string &directory, const bool with_strain)
   {
-    const Elasticity<dim>         &elasticity    = snapshot.elasticity;
-    const auto                    &triangulation = elasticity.mesh().triangulation();
-    const LA::Vector               displacement  = elasticity.with_ghosts(snapshot.displacement);
-    const StressPostprocessor<dim> stresses(elasticity);
-    const StrainPostprocessor<dim> strains(elasticity);
-    const Vector<float>            bodies = body_of_cells(elasticity.mesh());
-    Vector<float>                  subdomain(triangulation.n_active_cells());
-    subdomain = triangulation.locally_owned_subdomain();
-
-    const std::vector<DataComponentInterpretation::DataComponentInterpretation> is_vector(
-      dim, DataComponentInterpretation::component_is_part_of_vector);
-    Bodies<dim> out;
-    out.attach_dof_handler(elasticity.dof_handler());
-    out.add_data_vector(displacement,
-                        std::vector<std::string>(dim, "displacement"),
-                        DataOut<dim>::type_dof_data,
-                        is_vector);
-    out.add_data_vector(displacement, stresses);
-    if (with_strain)
-      out.add_data_vector(displacement, strains);
-    out.add_data_vector(bodies, "body", DataOut<dim>::type_cell_data);
-    out.add_data_vector(subdomain, "subdomain", DataOut<dim>::type_cell_data);
-    // Cells become as many subcells in each direction as the degree, and curved cells keep their
-    // curvature also inside of bodies.
-    out.build_patches(elasticity.mesh().mapping(),
-                      elasticity.degree(),
-                      DataOut<dim>::curved_inner_cells);
-    return out.write({directory,
-                      "solution",
-                      snapshot.step,
-                      snapshot.time,
-                      "body",
-                      names_of_bodies(elasticity.mesh())},
-                     elasticity.mesh().communicator());
+    const Mesh<dim>     &mesh = snapshot.elasticity.mesh();
+    const NodalGrid<dim> bodies(snapshot, with_strain);
+    return write_pieces(
+      bodies.grid,
+      {directory, "solution", snapshot.step, snapshot.time, "body", names_of_bodies(mesh)},
+      mesh.communicator());
   }
 
 
