@@ -63,6 +63,9 @@ namespace Signorini
     /// one cell thick, since one point would miss bending.
     unsigned int
     points_per_direction(const Cell &cell) const;
+    /// @return the index of the rule with that many points in each direction.
+    unsigned int
+    rule(const Cell &cell, unsigned int points_per_direction) const;
     void
     sample();
     void

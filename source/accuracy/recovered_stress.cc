@@ -86,6 +86,15 @@ namespace Signorini
 
 
 
+  template <int dim>
+  unsigned int
+  RecoveredStress<dim>::rule(const Cell &cell, const unsigned int points_per_direction) const
+  {
+    return (cell->reference_cell().is_simplex() ? rules.size() / 2 : 0) + points_per_direction - 1;
+  }
+
+
+
   // The superconvergent points are those of the Gauss rule with `degree` points.
   template <int dim>
   unsigned int
@@ -144,8 +153,7 @@ namespace Signorini
         first_sample[cell->active_cell_index()] = places.size();
         if (cell->is_artificial())
           continue;
-        const unsigned int first = cell->reference_cell().is_simplex() ? rules.size() / 2 : 0;
-        values.reinit(cell, first + points_per_direction(cell) - 1);
+        values.reinit(cell, rule(cell, points_per_direction(cell)));
         const FEValues<dim> &at     = values.get_present_fe_values();
         const auto          &points = at.get_quadrature_points();
         stresses_at(cell, at, points, stresses);
@@ -249,7 +257,7 @@ namespace Signorini
     const Matrix coefficients = solve_symmetric(N, right);
 
     // Deviations at the points of the rule that integrates the energy.
-    values.reinit(cell, degree); // degree + 1 points a direction
+    values.reinit(cell, rule(cell, degree + 1));
     const FEValues<dim> &at     = values.get_present_fe_values();
     const auto          &points = at.get_quadrature_points();
     stresses_at(cell, at, points, result.stress);

@@ -126,6 +126,7 @@ def cases():
         yield Case("tetrahedra/hertz", name, hertz(METHODS[name]), labels={"full"})
     yield Case("tetrahedra/hertz", "standard", hertz(STANDARD, (0.2, 0.03)), labels={"full"})
     yield Case("tetrahedra/numbering", "numbering", numbering)
+    yield Case("tetrahedra/bars", "bars", bars, 2)
     for i, name in enumerate(("multiplier", "nitsche")):
         yield Case("tetrahedra/mixed", name, mixed(METHODS[name], 1 + i), 1 + i)
     yield Case("tetrahedra/cells", "automatic", automatic)
@@ -171,6 +172,15 @@ def hertz(sets, most=(4e-2, 1e-2)):
             test.print(f"{n:3} {errors[-1]:.2e}")
         test.check(errors[0] <= most[0] and errors[1] <= most[1], f"errors {errors}, larger than {most}")
     return body
+
+
+def bars(test):
+    """The error bar of the force covers what a finer mesh changes, and is at most three times as wide."""
+    sets = METHODS["multiplier"] + ["Accuracy/Quantity=force of contact"]
+    coarse, fine = (test.results(graded(test, n), sets, 2)["accuracy"]["quantities"]["force of contact"] for n in (7, 16))
+    change, bar = abs(fine["value"] - coarse["value"]), coarse["bar"]
+    test.print(f"{coarse['value']:.6g} +- {bar:.3g}, then {fine['value']:.6g}")
+    test.check(change <= bar <= 3 * change, f"the force changes by {change:.3g}, the bar is {bar:.3g}")
 
 
 def mixed(sets, ranks):
