@@ -8,7 +8,7 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
-#include <set>
+#include <numeric>
 
 namespace Signorini
 {
@@ -52,17 +52,25 @@ namespace Signorini
 
 
 
-  // Simplices of second order may have all nodes on the surface; cubes have one inside.
+  // Cubes have a node inside.
   template <int dim>
-  bool
-  VolumeConstraint<dim>::is_held(const Cell &cell) const
+  typename VolumeConstraint<dim>::Hold
+  VolumeConstraint<dim>::hold(const Cell &cell) const
   {
-    std::vector<types::global_dof_index> indices;
-    read_indices<dim>(cell, indices);
-    return std::all_of(indices.begin(), indices.end(), [&](const auto i) {
+    if (cell->reference_cell().is_hyper_cube())
+      return Hold::none;
+    const auto is_prescribed = [&](const types::global_dof_index i) {
       const auto *const entries = elasticity.constraints().get_constraint_entries(i);
       return entries && entries->empty();
-    });
+    };
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!is_prescribed(cell->vertex_dof_index(v, d, cell->active_fe_index())))
+          return Hold::none;
+    std::vector<types::global_dof_index> indices;
+    read_indices<dim>(cell, indices);
+    return std::all_of(indices.begin(), indices.end(), is_prescribed) ? Hold::nodes :
+                                                                        Hold::vertices;
   }
 
 
@@ -83,7 +91,12 @@ namespace Signorini
       read_indices<dim>(cell, indices);
       free.add_entries_local_to_global(
         volumetric.indices(*cell), elasticity.constraints(), indices, pattern, false);
-      for_masses(cell, [&](const auto i, const auto j, const double) { of_masses.add(i, j); });
+      const auto &numbers = volumetric.indices(*cell);
+      const auto &mass    = volumetric.mass(*cell);
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        for (unsigned int j = 0; j < numbers.size(); ++j)
+          if (mass[i][j] != 0)
+            of_masses.add(numbers[i], numbers[j]);
       return false;
     });
     for (LA::SparsityPattern *one : {&pattern, &of_masses})
@@ -94,10 +107,43 @@ namespace Signorini
 
 
 
-  // C_m and the diagonal of the Schur complement (doc/theory, (6.20), (7.13)). At finite strain the
-  // energy m^2/(2 lambda) is per volume of the expanded body, m per volume at T_0: with the ratio s
-  // of these volumes, C_m is int phi_i phi_j/(s lambda) dV. Cells that are held have the compliance
-  // 1/(2 mu), so that differences within them cost as much as elsewhere.
+  // Of a cell C_m is int phi_i phi_j/(s lambda) dV: at finite strain the energy m^2/(2 lambda) is
+  // per volume of the expanded body, m per volume at T_0, with the ratio s of these volumes. Where
+  // vertices are held, int (m - mean of m)^2/(2 mu) dV is added (doc/theory, 6.6), which is the
+  // mass matrix M minus (M 1) (M 1)^T/V.
+  template <int dim>
+  typename VolumetricStress<dim>::MassMatrix
+  VolumeConstraint<dim>::compliance(const Cell &cell) const
+  {
+    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    const auto                  &one        = volumetric.one(*cell);
+    const auto                  &mass       = volumetric.mass(*cell);
+    const Material              &material   = elasticity.material(cell->material_id());
+    const double                 ratio =
+      elasticity.is_finite_strain() ? elasticity.thermal().volume_ratio(*cell, cell->center()) : 1.;
+    const Hold hold   = this->hold(cell);
+    auto       result = mass;
+    for (auto &row : result)
+      for (double &entry : row)
+        entry *= hold == Hold::nodes ? 0 : material.bulk_compliance() / ratio;
+    if (hold == Hold::none)
+      return result;
+    typename VolumetricStress<dim>::Functions integrals{};
+    double                                    volume = 0;
+    for (unsigned int i = 0; i <= dim; ++i)
+      {
+        integrals[i] = std::inner_product(one.begin(), one.end(), mass[i].begin(), 0.);
+        volume += integrals[i] * one[i];
+      }
+    for (unsigned int i = 0; i <= dim; ++i)
+      for (unsigned int j = 0; j <= dim; ++j)
+        result[i][j] += (mass[i][j] - integrals[i] * integrals[j] / volume) / (2 * material.mu());
+    return result;
+  }
+
+
+
+  // C_m and the diagonal of the Schur complement (doc/theory, (6.20), (7.13)).
   template <int dim>
   void
   VolumeConstraint<dim>::set_compliance()
@@ -106,56 +152,21 @@ namespace Signorini
     my_coupling.C                           = 0;
     my_coupling.schur                       = volumetric.zero_vector();
     for_cells([&](const Cell &cell) {
-      const Material &material = elasticity.material(cell->material_id());
-      const double    ratio    = elasticity.is_finite_strain() ?
-                                   elasticity.thermal().volume_ratio(*cell, cell->center()) :
-                                   1.,
-                   by_shear    = 1 / (2 * material.mu()),
-                   by_volume   = material.bulk_compliance() / ratio,
-                   compliance  = is_held(cell) ? by_shear : by_volume;
-      for_masses(cell, [&](const auto i, const auto j, const double mass) {
-        my_coupling.C.add(i, j, compliance * mass);
-        if (i == j)
-          my_coupling.schur(i) += (by_volume + by_shear) * mass;
-      });
+      const auto  &numbers  = volumetric.indices(*cell);
+      const auto  &mass     = volumetric.mass(*cell);
+      const auto   of_cell  = compliance(cell);
+      const double by_shear = 1 / (2 * elasticity.material(cell->material_id()).mu());
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        {
+          for (unsigned int j = 0; j < numbers.size(); ++j)
+            if (mass[i][j] != 0)
+              my_coupling.C.add(numbers[i], numbers[j], of_cell[i][j]);
+          my_coupling.schur(numbers[i]) += of_cell[i][i] + by_shear * mass[i][i];
+        }
       return false;
     });
     my_coupling.C.compress(VectorOperation::add);
     my_coupling.schur.compress(VectorOperation::add);
-  }
-
-
-
-  // All entries of the mass matrix of a cell that are not zero by the choice of the functions. In a
-  // cell that is held, no displacement depends on m, so that a vertex of such cells alone would
-  // have any value: the form V (mean of m_v^2 - (mean of m_v)^2) of the n values m_v at the
-  // vertices takes the place of int m^2 dV, and lets them be equal.
-  template <int dim>
-  void
-  VolumeConstraint<dim>::for_masses(
-    const Cell                                                                          &cell,
-    const std::function<void(types::global_dof_index, types::global_dof_index, double)> &visit)
-    const
-  {
-    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
-    const auto                  &indices    = volumetric.indices(*cell);
-    const auto                  &one        = volumetric.one(*cell);
-    auto                         mass       = volumetric.mass(*cell);
-    if (is_held(cell))
-      {
-        constexpr double n      = dim + 1;
-        double           volume = 0;
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            volume += one[i] * mass[i][j] * one[j];
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            mass[i][j] = volume / n * ((i == j) - 1 / n) / (one[i] * one[j]);
-      }
-    for (unsigned int i = 0; i < indices.size(); ++i)
-      for (unsigned int j = 0; j < indices.size(); ++j)
-        if (mass[i][j] != 0)
-          visit(indices[i], indices[j], mass[i][j]);
   }
 
 
@@ -201,7 +212,7 @@ namespace Signorini
     Vector<double>     values, others, changes;
     FullMatrix<double> slopes;
     for_cells([&](const Cell &cell) {
-      if (is_held(cell))
+      if (hold(cell) == Hold::nodes)
         return false;
       values.reinit(cell->get_fe().n_dofs_per_cell());
       cell->get_dof_values(at, values);
@@ -261,9 +272,9 @@ namespace Signorini
 
 
 
-  // If all materials of a body are incompressible, the constant part of m is determined only by the
-  // displacement of free surfaces: B_m^T applied to a constant must not vanish. It is compared with
-  // that of a checkerboard-like field. Throws SceneError. Collective.
+  // If a material is incompressible, the constant part of its m is determined only by the
+  // displacement of surfaces that are free: B_m^T applied to a constant must not vanish. It is
+  // compared with that of a checkerboard-like field. Throws SceneError. Collective.
   template <int dim>
   void
   VolumeConstraint<dim>::check_determined() const
@@ -271,16 +282,14 @@ namespace Signorini
     constexpr double             rounding   = 1e-10;
     const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
     const Mesh<dim>             &mesh       = elasticity.mesh();
-    std::set<unsigned int>       incompressible;
     for (unsigned int id = 0; id < mesh.n_materials(); ++id)
-      if (elasticity.material(id).is_up_formulation &&
-          elasticity.material(id).bulk_compliance() == 0)
-        incompressible.insert(mesh.body_of_material(id));
-    for (const unsigned int body : incompressible)
       {
+        if (!elasticity.material(id).is_up_formulation ||
+            elasticity.material(id).bulk_compliance() != 0)
+          continue;
         LA::Vector constant = volumetric.zero_vector(), rough = constant;
         for_cells([&](const Cell &cell) {
-          if (mesh.body(cell) == body)
+          if (cell->material_id() == id)
             for (unsigned int i = 0; i <= dim; ++i)
               {
                 const auto   index = volumetric.indices(*cell)[i];
@@ -299,9 +308,9 @@ namespace Signorini
         my_coupling.B.Tvmult(of_rough, rough);
         if (of_constant.linfty_norm() <= rounding * of_rough.linfty_norm())
           throw SceneError(
-            "Bodies/" + mesh.body_name(body) +
-            "/Poisson's ratio = 0.5: the displacement of the whole surface is prescribed, so that "
-            "the pressure is not unique; leave a part of the surface free, or set 0.4999");
+            "Bodies/" + mesh.body_name(mesh.body_of_material(id)) +
+            "/Poisson's ratio = 0.5: the displacement of the whole surface of the body, or of one of "
+            "its materials, is prescribed, so that the pressure is not unique; leave a part of the surface free, or set 0.4999");
       }
   }
 

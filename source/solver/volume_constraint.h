@@ -65,15 +65,18 @@ namespace Signorini
     /// returns whether the cell is inverted. Throws SolverFailure then. Collective.
     void
     for_cells(const std::function<bool(const Cell &cell)> &visit) const;
-    /// Call visit(i, j, int phi_i phi_j dV) for the entries of the mass matrix of a cell.
-    void
-    for_masses(
-      const Cell                                                                   &cell,
-      const std::function<void(
-        dealii::types::global_dof_index, dealii::types::global_dof_index, double)> &visit) const;
-    /// True if all displacements of a cell are prescribed.
-    bool
-    is_held(const Cell &cell) const;
+    /// Whether the displacement of no vertex of a simplex is free, or of no node at all.
+    enum class Hold
+    {
+      none,
+      vertices,
+      nodes
+    };
+    Hold
+    hold(const Cell &cell) const;
+    /// The part of a cell in C_m.
+    typename VolumetricStress<dim>::MassMatrix
+    compliance(const Cell &cell) const;
     /// Set the sparsity patterns of B_m and C_m.
     void
     make_pattern();
