@@ -41,8 +41,11 @@ namespace Signorini
       const dealii::FEValues<dim> &values = all_values.get_present_fe_values();
       u.resize(values.n_quadrature_points);
       gradient.resize(values.n_quadrature_points);
-      values[vector].get_function_values(displacement, u);
-      values[vector].get_function_gradients(displacement, gradient);
+      // The elements of distributed vectors are read once, since finding them takes time.
+      of_cell.resize(values.dofs_per_cell);
+      cell->get_dof_values(displacement, of_cell.begin(), of_cell.end());
+      values[vector].get_function_values_from_local_dof_values(of_cell, u);
+      values[vector].get_function_gradients_from_local_dof_values(of_cell, gradient);
       return values;
     }
 
@@ -53,5 +56,6 @@ namespace Signorini
   private:
     const LA::Vector         &displacement;
     dealii::hp::FEValues<dim> all_values;
+    std::vector<double>       of_cell;
   };
 } // namespace Signorini

@@ -2,6 +2,8 @@
 // The multigrid method and the interface multigrid as operators.
 
 #include "contact/laws/normal_contact.h"
+#include "linear_algebra/level_matrix.h"
+#include "linear_algebra/sparsity_pattern.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/preconditioners/interface_multigrid.h"
 
@@ -23,6 +25,73 @@ namespace
       active(i) = i % 2;
     active.compress(VectorOperation::insert);
     return active;
+  }
+
+  /// Compare with deal.II's products of a matrix of `n` x `m` blocks on each rank, which couples
+  /// neighbours on this and on other ranks. @param full whether blocks have all entries
+  void
+  check_products(const LA::LevelMatrix::Shape &block,
+                 const unsigned int            n,
+                 const unsigned int            m,
+                 const bool                    full,
+                 const LA::LevelMatrix::Shape &expected)
+  {
+    CAPTURE(block.rows);
+    CAPTURE(block.columns);
+    CAPTURE(full);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                       me      = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    const auto range           = [&](const unsigned int size) {
+      IndexSet set(size * n_ranks);
+      set.add_range(size * me, size * (me + 1));
+      return set;
+    };
+    const IndexSet      rows = range(n * block.rows), columns = range(m * block.columns);
+    LA::SparsityPattern pattern(rows, columns, MPI_COMM_WORLD);
+    const auto          for_entries = [&](const auto &visit) {
+      for (const auto i : rows)
+        for (const unsigned int step : {0u, 1u, 2u, m})
+          {
+            const unsigned int J = (i / block.rows * m / n + step) % (m * n_ranks);
+            for (unsigned int c = 0; c < block.columns; ++c)
+              if (full || (i + c + step) % 3 == 0)
+                visit(i, J * block.columns + c);
+          }
+    };
+    for_entries([&](const auto i, const auto j) { pattern.add(i, j); });
+    pattern.compress();
+    LA::SparseMatrix A;
+    A.reinit(pattern);
+    for_entries([&](const auto i, const auto j) { A.set(i, j, std::sin(1. + 3 * i + 7 * j)); });
+    A.compress(VectorOperation::insert);
+
+    const LA::LevelMatrix B(A);
+    CHECK(B.shape().rows == expected.rows);
+    CHECK(B.shape().columns == expected.columns);
+    for (const bool transposed : {false, true})
+      {
+        LA::Vector x(transposed ? rows : columns, MPI_COMM_WORLD),
+          y(transposed ? columns : rows, MPI_COMM_WORLD);
+        for (const auto i : x.locally_owned_elements())
+          x(i) = std::cos(0.3 * i);
+        x.compress(VectorOperation::insert);
+        const std::vector<float> in(x.begin(), x.end());
+        std::vector<float>       out(y.locally_owned_size());
+        if (transposed)
+          {
+            A.Tvmult(y, x);
+            B.Tvmult(out.data(), in.data());
+          }
+        else
+          {
+            A.vmult(y, x);
+            B.vmult(out.data(), in.data());
+          }
+        double wrong = 0;
+        for (unsigned int i = 0; i < out.size(); ++i)
+          wrong = std::max(wrong, std::abs(out[i] - y.begin()[i]));
+        CHECK(Utilities::MPI::max(wrong, MPI_COMM_WORLD) < 1e-5);
+      }
   }
 
   /// Degree 2 in space has so many unknowns that there are two levels.
@@ -90,6 +159,18 @@ namespace
     CHECK(r.l2_norm() < 1e-6 * first);
   }
 } // namespace
+
+
+
+TEST_CASE("products of levels are those of the matrix, in blocks of nodes")
+{
+  check_products({3, 3}, 20, 20, true, {3, 3});
+  check_products({3, 6}, 20, 8, true, {3, 6});
+  check_products({6, 6}, 9, 9, true, {6, 6});
+  check_products({2, 3}, 11, 5, true, {2, 3});
+  check_products({1, 1}, 7, 5, true, {1, 1});
+  check_products({3, 3}, 20, 20, false, {1, 1});
+}
 
 
 
