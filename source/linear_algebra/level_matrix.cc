@@ -180,7 +180,7 @@ namespace Signorini
                       block_column.push_back(column);
                       entries.resize(entries.size() + rows * columns, 0.f);
                     }
-                  entries[(std::size_t(slots[column]) * rows + r) * columns + place % columns] +=
+                  entries[(std::size_t(slots[column]) * columns + place % columns) * rows + r] +=
                     row.values[k];
                 }
             }
@@ -222,7 +222,8 @@ namespace Signorini
 
 
 
-    // Sums are accumulated in double precision.
+    // The sums of the rows of a block are independent of each other, for the compiler to compute
+    // them side by side.
     template <unsigned int rows, unsigned int columns>
     void
     LevelMatrix::multiply(float *dst, const float *x) const
@@ -230,13 +231,13 @@ namespace Signorini
       const float *entry = entries.data();
       for (std::size_t i = 0; i + 1 < first_block.size(); ++i)
         {
-          std::array<double, rows> sum{};
+          std::array<float, rows> sum{};
           for (std::size_t block = first_block[i]; block < first_block[i + 1]; ++block)
             {
               const float *const from = x + std::size_t(block_column[block]) * columns;
-              for (unsigned int r = 0; r < rows; ++r)
-                for (unsigned int c = 0; c < columns; ++c)
-                  sum[r] += double(entry[r * columns + c]) * from[c];
+              for (unsigned int c = 0; c < columns; ++c)
+                for (unsigned int r = 0; r < rows; ++r)
+                  sum[r] += entry[c * rows + r] * from[c];
               entry += rows * columns;
             }
           for (unsigned int r = 0; r < rows; ++r)
@@ -255,9 +256,13 @@ namespace Signorini
         for (std::size_t block = first_block[i]; block < first_block[i + 1]; ++block)
           {
             float *const to = dst + std::size_t(block_column[block]) * columns;
-            for (unsigned int r = 0; r < rows; ++r)
-              for (unsigned int c = 0; c < columns; ++c)
-                to[c] += entry[r * columns + c] * x[i * rows + r];
+            for (unsigned int c = 0; c < columns; ++c)
+              {
+                float sum = 0;
+                for (unsigned int r = 0; r < rows; ++r)
+                  sum += entry[c * rows + r] * x[i * rows + r];
+                to[c] += sum;
+              }
             entry += rows * columns;
           }
     }

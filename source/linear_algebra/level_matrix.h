@@ -83,7 +83,7 @@ namespace Signorini
       std::vector<std::uint32_t> places;       ///< of local columns: owned elements, then ghosts
       std::vector<std::uint32_t> first_block;  ///< of each row of blocks
       std::vector<std::uint32_t> block_column; ///< place of the first column / columns of a block
-      std::vector<float>         entries;      ///< of the blocks, row by row
+      std::vector<float>         entries;      ///< of the blocks, column by column
       mutable std::vector<float> around;       ///< elements by place
     };
   } // namespace LA
