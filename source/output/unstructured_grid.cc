@@ -47,13 +47,14 @@ namespace Signorini
       return result;
     }
 
-    /// The attributes of an array.
+    /// The attributes of an array. @param name may be empty, as that of positions
     template <typename Number>
     std::string
     attributes(const std::string &name, const unsigned int n_components)
     {
-      return std::string("type=\"") + type_name<Number>() + "\" Name=\"" + name +
-             "\" NumberOfComponents=\"" + std::to_string(n_components) + "\"";
+      return std::string("type=\"") + type_name<Number>() + "\"" +
+             (name.empty() ? "" : " Name=\"" + name + "\"") + " NumberOfComponents=\"" +
+             std::to_string(n_components) + "\"";
     }
 
     /// An array in base64: number of blocks, size of the first block and of the last, and their
@@ -106,7 +107,7 @@ namespace Signorini
   {
     out << "<Piece NumberOfPoints=\"" << points.size() / 3 << "\" NumberOfCells=\"" << types.size()
         << "\">\n<Points>\n";
-    write_array(out, "positions", 3, points);
+    write_array(out, "", 3, points);
     out << "</Points>\n<Cells>\n";
     write_array(out, "connectivity", 1, connectivity);
     write_array(out, "offsets", 1, offsets);
@@ -128,7 +129,7 @@ namespace Signorini
          "byte_order=\"LittleEndian\">\n<PUnstructuredGrid GhostLevel=\"0\">\n";
     write_names(out, "PPointData", of_points);
     write_names(out, "PCellData", of_cells);
-    out << "<PPoints>\n<PDataArray " << attributes<float>("positions", 3) << "/>\n</PPoints>\n";
+    out << "<PPoints>\n<PDataArray " << attributes<float>("", 3) << "/>\n</PPoints>\n";
     for (const std::string &file : files)
       out << "<Piece Source=\"" << file << "\"/>\n";
     out << "</PUnstructuredGrid>\n</VTKFile>\n";

@@ -309,8 +309,8 @@ namespace Signorini
         if (of_constant.linfty_norm() <= rounding * of_rough.linfty_norm())
           throw SceneError(
             "Bodies/" + mesh.body_name(mesh.body_of_material(id)) +
-            "/Poisson's ratio = 0.5: the displacement of the whole surface of the body, or of one of "
-            "its materials, is prescribed, so that the pressure is not unique; leave a part of the surface free, or set 0.4999");
+            "/Poisson's ratio = 0.5: the displacement of the whole surface is prescribed, of the body or "
+            "of one of its materials, so that the pressure is not unique; leave a part of the surface free, or set 0.4999");
       }
   }
 

@@ -60,7 +60,7 @@ def arrays_of(file):
         plain = zlib.decompress(base64.b64decode(packed[24:]))
         numbers = struct.unpack(f"<{size // 4}f", plain)
         width = int(array.get("NumberOfComponents"))
-        found[array.get("Name")] = [numbers[i:i + width] for i in range(0, len(numbers), width)]
+        found[array.get("Name", "positions")] = [numbers[i:i + width] for i in range(0, len(numbers), width)]
     return found
 
 
