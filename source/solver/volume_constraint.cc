@@ -295,9 +295,8 @@ namespace Signorini
                 const auto   index = volumetric.indices(*cell)[i];
                 const double one   = volumetric.one(*cell)[i];
                 constant(index)    = one;
-                // Signs that differ between neighbours, with dim + 1 numbers a cell or one a
-                // vertex.
-                rough(index) = (index / (dim + 1) + index) % 2 == 0 ? one : 0.;
+                // A multiplicative hash: irregular with any numbering.
+                rough(index) = (std::uint32_t(index) * 2654435769u >> 31) == 0 ? one : 0.;
               }
           return false;
         });
