@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "linear_algebra/values.h"
+#include "mesh_import/cells.h"
+#include "mesh_import/division/cell_shape.h"
 #include "output/files.h"
 #include "output/pieces.h"
 #include "solid/cell_displacement.h"
@@ -26,10 +28,6 @@ namespace Signorini
       std::vector<Point<dim>> nodes;
     };
 
-    /// The nodes of cells of degree 2 are corners, and means of corners: of those of each edge, on
-    /// quadrilaterals and hexahedra also of each face and of all.
-    using Corners = std::vector<std::vector<unsigned int>>;
-
     /// The corners in the order of VTK: those of hypercubes go around.
     template <int dim>
     std::vector<Point<dim>>
@@ -44,50 +42,33 @@ namespace Signorini
       return result;
     }
 
-    /// @param degree 1 or 2
+    /// Nodes are means of corners, in the order of mesh files, which is that of VTK.
+    /// @param element scalar, of degree 1 or 2
     template <int dim>
     VtkCell<dim>
-    vtk_cell(const ReferenceCell &shape, const unsigned int degree)
+    vtk_cell(const FiniteElement<dim> &element)
     {
-      static const Corners triangle{{0, 1}, {1, 2}, {2, 0}},
-        tetrahedron{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}},
-        quadrilateral{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}},
-        hexahedron{{0, 1},
-                   {1, 2},
-                   {2, 3},
-                   {3, 0},
-                   {4, 5},
-                   {5, 6},
-                   {6, 7},
-                   {7, 4},
-                   {0, 4},
-                   {1, 5},
-                   {2, 6},
-                   {3, 7},
-                   {0, 4, 7, 3},
-                   {1, 2, 6, 5},
-                   {0, 1, 5, 4},
-                   {3, 7, 6, 2},
-                   {0, 3, 2, 1},
-                   {4, 5, 6, 7},
-                   {0, 1, 2, 3, 4, 5, 6, 7}};
-      const bool     is_cube = shape.is_hyper_cube();
-      const Corners &means =
-        dim == 2 ? (is_cube ? quadrilateral : triangle) : (is_cube ? hexahedron : tetrahedron);
-      const std::array<std::uint8_t, 2> types =
+      AssertThrow(element.degree == 1 || element.degree == 2, ExcNotImplemented());
+      const bool is_cube = element.reference_cell().is_hyper_cube();
+      const auto types =
         dim == 2 ?
           (is_cube ? std::array<std::uint8_t, 2>{{9, 28}} : std::array<std::uint8_t, 2>{{5, 22}}) :
           (is_cube ? std::array<std::uint8_t, 2>{{12, 29}} : std::array<std::uint8_t, 2>{{10, 24}});
-      AssertThrow(degree == 1 || degree == 2, ExcNotImplemented());
-      VtkCell<dim> result{types[degree - 1], corners_of<dim>(shape)};
-      if (degree == 2)
-        for (const auto &group : means)
-          {
-            Point<dim> mean;
-            for (const unsigned int corner : group)
-              mean += result.nodes[corner] / double(group.size());
-            result.nodes.push_back(mean);
-          }
+      const auto   corners = corners_of<dim>(element.reference_cell());
+      const auto  &nodes   = CellShape::of(is_cube ? cell_shape<dim> : simplex_shape<dim>).nodes;
+      VtkCell<dim> result{types[element.degree - 1], {}};
+      for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+        {
+          Tensor<1, dim> sum;
+          unsigned int   n = 0;
+          for (unsigned int corner = 0; corner < corners.size(); ++corner)
+            if (nodes[i] & (1u << corner))
+              {
+                sum += Tensor<1, dim>(corners[corner]);
+                ++n;
+              }
+          result.nodes.emplace_back(sum / n);
+        }
       return result;
     }
 
@@ -104,7 +85,7 @@ namespace Signorini
     ElementNodes<dim>
     nodes_of(const FiniteElement<dim> &fe)
     {
-      ElementNodes<dim> result{vtk_cell<dim>(fe.reference_cell(), fe.degree), {}};
+      ElementNodes<dim> result{vtk_cell(fe.base_element(0)), {}};
       const auto       &points = fe.base_element(0).get_unit_support_points();
       for (const Point<dim> &node : result.cell.nodes)
         {

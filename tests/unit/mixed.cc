@@ -51,7 +51,7 @@ namespace
             "Mesh/Refinement regions/corner/Inside=0.8 - x"};
   }
 
-  /// A mixed body of tetrahedra with two materials beside a cube.
+  /// A mixed body of tetrahedra beside a cube that is not.
   Lines
   tetrahedra_beside_cube(const std::string &deformation)
   {
