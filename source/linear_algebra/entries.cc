@@ -44,18 +44,30 @@ namespace Signorini
     {
       const Epetra_CrsMatrix &first = K.trilinos_matrix();
       Epetra_FECrsMatrix      sum(Copy, first.RowMap(), 0);
-      const int              *columns = first.ColMap().MyGlobalElements();
+      const int              *global = first.ColMap().MyGlobalElements();
+      std::vector<int>        columns;
+      std::vector<double>     values;
       for (int i = 0; i < first.NumMyRows(); ++i)
         {
           const RowView row(K, i);
+          columns.clear();
           for (int k = 0; k < row.size; ++k)
-            sum.InsertGlobalValues(first.GRID(i), 1, &row.values[k], &columns[row.columns[k]]);
+            columns.push_back(global[row.columns[k]]);
+          sum.InsertGlobalValues(first.GRID(i), row.size, row.values, columns.data());
         }
-      const std::vector<int> places(indices.begin(), indices.end());
       for (unsigned int i = 0; i < block.m(); ++i)
-        for (unsigned int j = 0; j < block.n(); ++j)
-          if (block(i, j) != 0)
-            sum.InsertGlobalValues(1, &places[i], 1, &places[j], &block(i, j));
+        {
+          columns.clear();
+          values.clear();
+          for (unsigned int j = 0; j < block.n(); ++j)
+            if (block(i, j) != 0)
+              {
+                columns.push_back(indices[j]);
+                values.push_back(block(i, j));
+              }
+          const int row = indices[i];
+          sum.InsertGlobalValues(1, &row, columns.size(), columns.data(), values.data());
+        }
       const int error = sum.GlobalAssemble(first.DomainMap(), first.RangeMap());
       AssertThrow(error == 0, ExcTrilinosError(error));
       SparseMatrix result;
@@ -74,14 +86,27 @@ namespace Signorini
     {
       const Epetra_Map map    = owned_rows.make_trilinos_map(comm),
                        domain = owned_columns.make_trilinos_map(comm);
-      Epetra_CrsMatrix matrix(Copy, map, 0);
+      std::vector<int> sizes;
+      for (const auto &row : rows)
+        sizes.push_back(row.size());
+      Epetra_CrsMatrix    matrix(Copy, map, sizes.data());
+      std::vector<int>    columns;
+      std::vector<double> values;
       for (unsigned int i = 0; i < rows.size(); ++i)
-        for (const auto &[j, value] : rows[i])
-          {
-            const int column = j;
-            const int error  = matrix.InsertGlobalValues(matrix.GRID(i), 1, &value, &column);
-            AssertThrow(error >= 0, ExcTrilinosError(error));
-          }
+        {
+          columns.clear();
+          values.clear();
+          for (const auto &[j, value] : rows[i])
+            {
+              columns.push_back(j);
+              values.push_back(value);
+            }
+          const int error = matrix.InsertGlobalValues(matrix.GRID(i),
+                                                      columns.size(),
+                                                      values.data(),
+                                                      columns.data());
+          AssertThrow(error >= 0, ExcTrilinosError(error));
+        }
       const int error = matrix.FillComplete(domain, map);
       AssertThrow(error == 0, ExcTrilinosError(error));
       SparseMatrix result;

@@ -37,7 +37,7 @@ namespace Signorini
         parameters.set("aggregation: type", "Uncoupled");
         // No couplings are dropped: in elasticity the weak ones are those of shear, and needed.
         parameters.set("aggregation: threshold", 0.);
-        parameters.set("coarse: max size", 1000);
+        parameters.set("coarse: max size", static_cast<int>(factorised_size));
         // Only the levels are wanted.
         parameters.set("smoother: type", "do-nothing");
         parameters.set("coarse: type", "do-nothing");
@@ -67,6 +67,8 @@ namespace Signorini
                          const std::vector<std::vector<double>> &modes,
                          const unsigned int                      n_components)
     {
+      if (K.m() <= factorised_size)
+        return {};
       Epetra_MultiVector null_space(K.trilinos_matrix().DomainMap(), modes.size());
       for (unsigned int m = 0; m < modes.size(); ++m)
         std::copy(modes[m].begin(), modes[m].end(), null_space[m]);

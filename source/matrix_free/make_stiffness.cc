@@ -11,24 +11,19 @@ namespace Signorini
   StiffnessForm
   choose_form(const std::optional<StiffnessForm> &wanted,
               const bool                          needs_matrix,
-              const Elasticity<dim>              &elasticity,
-              const bool                          is_to_be_refined)
+              const Elasticity<dim>              &elasticity)
   {
     // Kernels do not have the tangent of follower pressures. Without a wish: matrix-free in space
-    // where kernels exist, if there are multigrid levels of meshes or degrees or the bodies are
-    // nonlinear, unless the preconditioner needs the matrix.
-    const auto &triangulation = elasticity.mesh().triangulation();
-    const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
+    // where kernels exist and are fast, or the bodies are nonlinear, unless the preconditioner
+    // needs the matrix.
+    const bool is_possible = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
                              !has_follower_pressures(elasticity),
-               // Without levels of spaces the hierarchy consists of aggregates of the matrix, which
-               // has to be assembled anyway.
-      has_levels =
-        elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
+               // Tetrahedra of degree one have fast products with a matrix.
+      is_fast = elasticity.degree() > 1 || !elasticity.mesh().has_simplices();
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError("Solver/Operator = matrix-free is available in 3D only, for degree 1 and 2, "
                        "without follower pressures; set auto or assembled");
-    return wanted.value_or(is_possible && (has_levels || elasticity.is_nonlinear()) &&
-                               !needs_matrix ?
+    return wanted.value_or(is_possible && (is_fast || elasticity.is_nonlinear()) && !needs_matrix ?
                              StiffnessForm::matrix_free :
                              StiffnessForm::assembled);
   }
@@ -51,9 +46,9 @@ namespace Signorini
 
 
   template StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<2> &, bool);
+  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<2> &);
   template StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<3> &, bool);
+  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<3> &);
   template std::unique_ptr<const Stiffness>
   make_stiffness(StiffnessForm, Elasticity<2> &);
   template std::unique_ptr<const Stiffness>

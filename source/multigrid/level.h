@@ -2,6 +2,7 @@
 #pragma once
 
 #include "multigrid/prolongation.h"
+#include "solid/node_positions.h"
 #include "solid/stiffness.h"
 
 #include <memory>
@@ -36,7 +37,7 @@ namespace Signorini
   /// The geometric levels below the stiffness of the bodies: spaces of displacements.
   struct Spaces
   {
-    std::vector<Level>               levels; ///< from finer to coarser; the last has a matrix
-    std::vector<std::vector<double>> modes;  ///< of the last one, see rigid_body_modes()
+    std::vector<Level> levels; ///< from finer to coarser; the last has a matrix
+    NodePositions      nodes;  ///< of the last one
   };
 } // namespace Signorini

@@ -193,7 +193,7 @@ namespace Signorini
     const dealii::AffineConstraints<double> &hanging, &constraints;
     const dealii::IndexSet                  &owned;
     LA::Vector                               terms; ///< see CellSpace::diagonal_terms
-    std::vector<std::vector<double>>         modes; ///< rigid-body modes
+    NodePositions                            nodes;
     /// Tangents of the cells; null: those of the undeformed materials.
     const CellTangents *tangents;
   };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "linear_algebra/diagonal.h"
 #include "matrix_free/cell_operator.h"
+#include "multigrid/auxiliary_grids.h"
 #include "multigrid/levels.h"
 #include "multigrid/linear_space.h"
-#include "solid/rigid_body_modes.h"
+#include "solid/node_positions.h"
 
 namespace Signorini
 {
@@ -11,12 +12,12 @@ namespace Signorini
 
   namespace
   {
-    /// The rigid-body modes on the space of degree one.
+    /// The nodes of the space of degree one.
     template <int dim>
-    std::vector<std::vector<double>>
-    modes_of(const Elasticity<dim> &elasticity, const LinearSpace<dim> &space)
+    NodePositions
+    nodes_of(const Elasticity<dim> &elasticity, const LinearSpace<dim> &space)
     {
-      return rigid_body_modes(elasticity.mesh(), space.dofs, space.elements, space.owned);
+      return node_positions(elasticity.mesh(), space.dofs, space.elements, space.owned);
     }
 
     /// The space of degree one as the finest mesh of the coarser levels.
@@ -31,7 +32,7 @@ namespace Signorini
               space.constraints,
               space.owned,
               terms,
-              modes_of(elasticity, space),
+              nodes_of(elasticity, space),
               tangents};
     }
 
@@ -71,49 +72,52 @@ namespace Signorini
       return K;
     }
 
-    /// Coarser meshes below a space of degree one; none in the plane.
+    /// Coarser meshes below bodies of degree one, or else grids.
     template <int dim>
     Spaces
-    coarser_meshes(const Elasticity<dim> &elasticity, const CellTangents *tangents)
-    {
-      if constexpr (dim == 3)
-        return mesh_levels({elasticity.dof_handler(),
-                            elasticity.hanging_nodes(),
-                            elasticity.constraints(),
-                            elasticity.owned(),
-                            elasticity.diagonal_terms(),
-                            rigid_body_modes(elasticity),
-                            tangents},
-                           elasticity);
-      return {};
-    }
-
-    /// Coarser meshes below a space of degree one, which is itself a level below bodies of higher
-    /// degree and then has products only.
-    /// @param P prolongation from the space of degree one, moved into the result if there are
-    /// coarser meshes
-    template <int dim>
-    Spaces
-    coarser_meshes(const Elasticity<dim>               &elasticity,
-                   const LinearSpace<dim>              &space,
-                   const CellTangents                  *tangents,
-                   std::unique_ptr<const Prolongation> &P,
-                   const LA::Vector                    &terms)
+    coarser_meshes(const Elasticity<dim> &elasticity, const Stiffness &stiffness)
     {
       Spaces result;
       if constexpr (dim == 3)
-        {
-          // Coarser meshes are built first: if there are none, the space of degree one must not be
-          // given products only, since the hierarchy continues with aggregates, which need its
-          // matrix. P remains with the caller in that case.
-          const LinearDisplacements linear = displacements_of(elasticity, space, tangents, terms);
-          result                           = mesh_levels(linear, elasticity);
-          if (!result.levels.empty())
-            result.levels.emplace(result.levels.begin(),
-                                  std::move(P),
-                                  std::make_unique<CellOperator<float>>(
-                                    finest_space(linear, elasticity)));
-        }
+        // Laws without tangents by cell have a matrix.
+        if (!elasticity.is_nonlinear() || stiffness.tangents())
+          {
+            const LinearDisplacements linear{elasticity.dof_handler(),
+                                             elasticity.hanging_nodes(),
+                                             elasticity.constraints(),
+                                             elasticity.owned(),
+                                             elasticity.diagonal_terms(),
+                                             node_positions(elasticity),
+                                             stiffness.tangents()};
+            result = mesh_levels(linear, elasticity);
+            if (result.levels.empty())
+              result = auxiliary_grids(finest_space(linear, elasticity), linear.nodes);
+            return result;
+          }
+      return auxiliary_grids(stiffness.matrix(), node_positions(elasticity));
+    }
+
+    /// A space of degree one below bodies of higher degree, and coarser meshes or grids below it.
+    /// Collective.
+    /// @param P prolongation from the space of degree one
+    Spaces
+    linear_and_coarser(const Elasticity<3>                &elasticity,
+                       const LinearSpace<3>               &space,
+                       const CellTangents                 *tangents,
+                       std::unique_ptr<const Prolongation> P,
+                       const LA::Vector                   &terms)
+    {
+      // Coarser meshes are built first: only if there are none, grids follow the space of degree
+      // one.
+      const LinearDisplacements linear = displacements_of(elasticity, space, tangents, terms);
+      const CellSpace           finest = finest_space(linear, elasticity);
+      Spaces                    result = mesh_levels(linear, elasticity);
+      if (result.levels.empty())
+        append_last(result, std::move(P), finest, linear.nodes);
+      else
+        result.levels.emplace(result.levels.begin(),
+                              std::move(P),
+                              std::make_unique<CellOperator<float>>(finest));
       return result;
     }
   } // namespace
@@ -126,13 +130,13 @@ namespace Signorini
               const Stiffness       &stiffness,
               const bool             to_coarser_meshes)
   {
-    // Laws without tangents by cell have no geometric levels: their hierarchy consists of
-    // aggregates.
     const CellTangents *const tangents = stiffness.tangents();
+    if (elasticity.degree() == 1)
+      return to_coarser_meshes ? coarser_meshes(elasticity, stiffness) : Spaces();
+    // Laws without tangents by cell have no levels of lower degree: their hierarchy consists of
+    // aggregates.
     if (elasticity.is_nonlinear() && !tangents)
       return {};
-    if (elasticity.degree() == 1)
-      return to_coarser_meshes ? coarser_meshes(elasticity, tangents) : Spaces();
 
     const LinearSpace<dim>        space(elasticity);
     auto                          P = make_prolongation(elasticity, space);
@@ -142,16 +146,20 @@ namespace Signorini
                                             space.owned,
                                             space.owned.size() - space.dofs.n_dofs());
     // The penalty for lost constraints has no matrix-free form: with it the space of degree one is
-    // assembled, and aggregates follow.
-    if (to_coarser_meshes && !lost.any())
-      if (Spaces result = coarser_meshes(elasticity, space, tangents, P, terms);
-          !result.levels.empty())
-        return result;
+    // assembled.
+    if constexpr (dim == 3)
+      if (to_coarser_meshes && !lost.any())
+        return linear_and_coarser(elasticity, space, tangents, std::move(P), terms);
 
-    // No coarser meshes: the space of degree one is the last geometric level and needs a matrix.
-    Spaces result;
-    result.levels.emplace_back(std::move(P), assembled(elasticity, space, tangents, lost, terms));
-    result.modes = modes_of(elasticity, space);
+    Spaces           result;
+    LA::SparseMatrix K = assembled(elasticity, space, tangents, lost, terms);
+    if (to_coarser_meshes)
+      append_last(result, std::move(P), std::move(K), nodes_of(elasticity, space));
+    else
+      {
+        result.levels.emplace_back(std::move(P), std::move(K));
+        result.nodes = nodes_of(elasticity, space);
+      }
     return result;
   }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "linear_algebra/coarse_level.h"
 #include "matrix_free/cell_operator.h"
+#include "multigrid/auxiliary_grids.h"
 #include "multigrid/interpolation_transfer.h"
 #include "multigrid/levels.h"
 #include "multigrid/linear_space.h"
@@ -72,9 +74,9 @@ namespace Signorini
         return present;
       }
 
-      /// The rigid-body modes on the present level, mode by mode.
-      std::vector<std::vector<double>>
-      modes() const;
+      /// The positions of the nodes of the present level.
+      NodePositions
+      nodes() const;
 
     private:
       /// The vertices of the next level, by name, of which a vertex of the present one is the mean.
@@ -309,9 +311,7 @@ namespace Signorini
     bool
     Levels::can_coarsen() const
     {
-      // Systems of so few unknowns are factorised; a further level would only add communication.
-      constexpr unsigned int few = 1000; // unknowns, which are factorised
-      return level > 0 && numbers.owned_dofs().size() > few && !loses_constraints();
+      return level > 0 && numbers.owned_dofs().size() > LA::factorised_size && !loses_constraints();
     }
 
     std::unique_ptr<const Prolongation>
@@ -339,21 +339,18 @@ namespace Signorini
       return P;
     }
 
-    // The modes of the finest mesh at the vertices that this level has.
-    std::vector<std::vector<double>>
-    Levels::modes() const
+    // Those of the finest mesh that this level has.
+    NodePositions
+    Levels::nodes() const
     {
-      std::vector<std::vector<double>> result(linear.modes.size());
-      for (unsigned int m = 0; m < result.size(); ++m)
+      NodePositions result = linear.nodes;
+      result.coordinates.clear();
+      for (const Index name : numbers.owned_names())
         {
-          for (const Index name : numbers.owned_names())
-            for (unsigned int c = 0; c < dim; ++c)
-              result[m].push_back(linear.modes[m][linear.owned.index_within_set(name + c)]);
-          if (present.owned.n_elements() > result[m].size())
-            result[m].insert(result[m].end(),
-                             linear.modes[m].end() - n_rigid,
-                             linear.modes[m].end());
+          const auto first = linear.nodes.coordinates.begin() + linear.owned.index_within_set(name);
+          result.coordinates.insert(result.coordinates.end(), first, first + dim);
         }
+      result.coordinates.resize(present.owned.n_elements(), 0.);
       return result;
     }
   } // namespace
@@ -389,8 +386,7 @@ namespace Signorini
 
 
 
-  // Levels from finer to coarser; the last one gets an assembled matrix, for aggregation or
-  // factorisation, the others products only. Collective.
+  // Levels from finer to coarser, with grids below the last one. Collective.
   Spaces
   mesh_levels(const LinearDisplacements &linear, const Elasticity<3> &elasticity)
   {
@@ -408,19 +404,12 @@ namespace Signorini
         std::unique_ptr<const Prolongation> P = levels.coarsen();
         is_last                               = !levels.can_coarsen();
         if (is_last)
-          {
-            // Whether a level is the last one is known only after the next one was tried; it alone
-            // is assembled.
-            LA::SparseMatrix K;
-            assemble(levels.space(), K);
-            result.levels.emplace_back(std::move(P), std::move(K));
-          }
+          // Whether a level is the last one is known only after the next one was tried.
+          append_last(result, std::move(P), levels.space(), levels.nodes());
         else
           result.levels.emplace_back(std::move(P),
                                      std::make_unique<CellOperator<float>>(levels.space()));
       }
-    if (!result.levels.empty())
-      result.modes = levels.modes();
     return result;
   }
 } // namespace Signorini

@@ -63,11 +63,11 @@ namespace Signorini
     /// @return the form of the stiffness on the mesh of a refinement cycle.
     template <int dim>
     StiffnessForm
-    form_of(const Scene<dim> &scene, const Elasticity<dim> &elasticity, const unsigned int cycle)
+    form_of(const Scene<dim> &scene, const Elasticity<dim> &elasticity)
     {
       const bool needs_matrix = scene.solver.traits().needs_matrix;
       const auto wanted       = scene.solver.stiffness_form;
-      return choose_form(wanted, needs_matrix, elasticity, cycle > 0);
+      return choose_form(wanted, needs_matrix, elasticity);
     }
 
     constexpr double base_memory_mb = 166; // of the libraries
@@ -187,8 +187,7 @@ namespace Signorini
                                      (starts + warm_share * steps) * points * point_seconds);
         for (unsigned int i = 0; i < elements.size(); ++i)
           {
-            const auto costs =
-              calibration(dim, elements[i].degree, form_of(scene, elasticity, cycle));
+            const auto   costs = calibration(dim, elements[i].degree, form_of(scene, elasticity));
             const double n     = size * counted[i].n,
                          solve = costs.iteration * costs.iterations / n_ranks;
             result.seconds += counted[i].seconds * n *
@@ -205,10 +204,9 @@ namespace Signorini
         const unsigned int degree        = elements[i].degree;
         const double       dofs_per_cell = dofs_per_node * std::pow(degree, dim),
                      entries_per_dof     = dim * std::pow(degree == 1 ? 3 : 4, dim);
-        result.memory_mb +=
-          size * counted[i].n * dofs_per_cell / n_ranks * entries_per_dof *
-          calibration(dim, degree, form_of(scene, elasticity, refinement.cycles)).bytes_per_entry /
-          1e6;
+        result.memory_mb += size * counted[i].n * dofs_per_cell / n_ranks * entries_per_dof *
+                            calibration(dim, degree, form_of(scene, elasticity)).bytes_per_entry /
+                            1e6;
         result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
     result.memory_mb += std::pow(size, (dim - 1.) / dim) * points * of_points.bytes / 1e6;

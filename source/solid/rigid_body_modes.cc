@@ -42,37 +42,22 @@ namespace Signorini
 
   template <int dim>
   std::vector<std::vector<double>>
-  rigid_body_modes(const Mesh<dim>             &mesh,
-                   const DoFHandler<dim>       &dofs,
-                   const hp::FECollection<dim> &elements,
-                   const IndexSet              &owned)
+  rigid_body_modes(const NodePositions &nodes, const BoundingBox<dim> &box)
   {
-    // One set of modes about the centre of all bodies. Restricted to an aggregate of one body, they
-    // span the same space as its own modes.
-    const RigidBodyModes<dim>        all(mesh.extent());
-    std::vector<std::vector<double>> modes(RigidBodyModes<dim>::n,
-                                           std::vector<double>(owned.n_elements()));
-    // A rigid body has two nodes, of translation and rotation, that are coupled to no others; for
-    // aggregation each of their components counts as a translation.
-    for (auto i = dofs.n_dofs(); i < owned.size(); ++i)
-      if (owned.is_element(i))
-        modes[(i - dofs.n_dofs()) % dim][owned.index_within_set(i)] = 1;
-
-    CellNodes<dim>                       nodes_of(mesh, elements);
-    std::vector<types::global_dof_index> indices;
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const std::vector<Point<dim>> &nodes = nodes_of(cell);
-          read_indices<dim>(cell, indices);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            if (owned.is_element(indices[i]))
-              {
-                const auto at = all.at(nodes[i], cell->get_fe().system_to_component_index(i).first);
-                for (unsigned int m = 0; m < at.size(); ++m)
-                  modes[m][owned.index_within_set(indices[i])] = at[m];
-              }
-        }
+    const RigidBodyModes<dim>        all(box);
+    const std::size_t                n = nodes.coordinates.size();
+    std::vector<std::vector<double>> modes(RigidBodyModes<dim>::n, std::vector<double>(n, 0.));
+    const std::size_t                n_mesh = n - nodes.n_own_rigid * dim;
+    for (std::size_t i = n_mesh; i < n; ++i)
+      modes[i % dim][i] = 1;
+    for (std::size_t i = 0; i < n_mesh; ++i)
+      {
+        Point<dim> x;
+        std::copy_n(&nodes.coordinates[i / dim * dim], dim, x.begin_raw());
+        const auto at = all.at(x, i % dim);
+        for (unsigned int m = 0; m < at.size(); ++m)
+          modes[m][i] = at[m];
+      }
     return modes;
   }
 
@@ -82,10 +67,7 @@ namespace Signorini
   std::vector<std::vector<double>>
   rigid_body_modes(const Displacements<dim> &displacements)
   {
-    return rigid_body_modes(displacements.mesh(),
-                            displacements.dof_handler(),
-                            displacements.finite_elements(),
-                            displacements.owned());
+    return rigid_body_modes(node_positions(displacements), displacements.mesh().extent());
   }
 
 
@@ -114,15 +96,9 @@ namespace Signorini
   template class RigidBodyModes<2>;
   template class RigidBodyModes<3>;
   template std::vector<std::vector<double>>
-  rigid_body_modes(const Mesh<2> &,
-                   const DoFHandler<2> &,
-                   const hp::FECollection<2> &,
-                   const IndexSet &);
+  rigid_body_modes(const NodePositions &, const BoundingBox<2> &);
   template std::vector<std::vector<double>>
-  rigid_body_modes(const Mesh<3> &,
-                   const DoFHandler<3> &,
-                   const hp::FECollection<3> &,
-                   const IndexSet &);
+  rigid_body_modes(const NodePositions &, const BoundingBox<3> &);
   template std::vector<std::vector<double>>
   rigid_body_modes(const Displacements<2> &);
   template std::vector<std::vector<double>>

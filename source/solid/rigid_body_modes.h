@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solid/displacements.h"
+#include "solid/node_positions.h"
 
 #include <array>
 #include <vector>
@@ -34,16 +35,14 @@ namespace Signorini
     double             my_size;
   };
 
-  /// The rigid-body modes on the locally owned degrees of freedom, mode by mode, as near null space
+  /// The rigid-body modes on the degrees of freedom of this rank, mode by mode, as near null space
   /// of multigrid. One set serves all bodies: aggregates never contain nodes of two bodies, and on
-  /// one body a rotation about another center differs by a translation only.
-  /// @param owned degrees of freedom of the mesh, followed by those of rigid bodies
+  /// one body a rotation about another center differs by a translation only. Nodes of rigid bodies
+  /// are coupled to no others; for aggregation each of their components counts as a translation.
+  /// @param box of the bodies
   template <int dim>
   std::vector<std::vector<double>>
-  rigid_body_modes(const Mesh<dim>                     &mesh,
-                   const dealii::DoFHandler<dim>       &dofs,
-                   const dealii::hp::FECollection<dim> &elements,
-                   const dealii::IndexSet              &owned);
+  rigid_body_modes(const NodePositions &nodes, const dealii::BoundingBox<dim> &box);
 
   /// The rigid-body modes of the bodies, mode by mode, on the locally owned degrees of freedom.
   template <int dim>

@@ -55,14 +55,14 @@ namespace Signorini
       stiffness_form,
       or_auto(stiffness_forms()),
       "products with the stiffness matrix: assembled: sparse matrix; matrix-free: cell by cell (3D, degrees 1 and 2); "
-      "auto: the faster one, which is matrix-free for degree 2, on refined meshes, and for finite strain");
+      "auto: the faster one, which is matrix-free in 3D, except for tetrahedra of degree 1 at small strain");
     section.add_choice(
       "Coarsening",
       coarsening,
       coarsenings(),
       "levels of multigrid. geometric: degree 1 on the same mesh for bodies of higher degree; then, in 3D, the coarser "
-      "meshes of the refinement; then smoothed aggregation. degree: without coarser meshes. algebraic: smoothed "
-      "aggregation only");
+      "meshes of the refinement; then regular grids, and smoothed aggregation for thin bodies. degree: degree 1, then "
+      "smoothed aggregation. algebraic: smoothed aggregation only");
     section.add_choice(
       "Krylov method",
       krylov,

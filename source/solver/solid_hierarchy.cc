@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/solid_hierarchy.h"
 
+#include "linear_algebra/coarse_level.h"
 #include "multigrid/levels.h"
 #include "solid/rigid_body_modes.h"
 
@@ -18,17 +19,16 @@ namespace Signorini
                    const Stiffness            &stiffness,
                    const Elasticity<dim>      &elasticity)
     {
-      const auto known = [&](std::vector<std::vector<double>> &&modes) {
-        if (settings.near_null_space == NearNullSpace::translations)
-          // Translations come first.
-          modes.resize(dim);
-        return std::move(modes);
-      };
       Spaces spaces;
       if (settings.coarsening != Coarsening::algebraic)
         spaces = make_spaces(elasticity, stiffness, settings.coarsening != Coarsening::degree);
-      const auto modes =
-        known(spaces.levels.empty() ? rigid_body_modes(elasticity) : std::move(spaces.modes));
+      std::vector<std::vector<double>> modes;
+      if (spaces.levels.empty() || spaces.levels.back().matrix->m() > LA::factorised_size)
+        modes = rigid_body_modes(spaces.levels.empty() ? node_positions(elasticity) : spaces.nodes,
+                                 elasticity.mesh().extent());
+      if (settings.near_null_space == NearNullSpace::translations)
+        // Translations come first.
+        modes.resize(dim);
       return std::make_shared<const Hierarchy>(stiffness, std::move(spaces.levels), modes, dim);
     }
   } // namespace

@@ -102,8 +102,10 @@ def cases():
         yield Case("active-set/up-and-down", f"hertz-2d/{name}", found_soon("hertz-2d", sets + history, mirrored=True),
                    labels={"full"})
     # Zones whose size nobody knows before: a plate that lifts off, tips pressed in by a force.
+    # Without symmetry the sets of Nitsche's method alternate until linear solves have more digits, which are as many as chance has it.
     for name, sets in METHODS.items():
-        yield Case("active-set/cold", f"receding-plate/{name}", found_soon("receding-plate", sets), labels={"full"})
+        most = 13 if name in ("nitsche-theta=0", "nitsche-theta=-1") else MOST
+        yield Case("active-set/cold", f"receding-plate/{name}", found_soon("receding-plate", sets, most), labels={"full"})
     for scene in ("ellipsoid-force", "cone-force"):
         for name in ("multiplier", "penalty", "nitsche-theta=1"):
             yield Case("active-set/cold", f"{scene}/{name}", found_soon(scene, METHODS[name], most=8), labels={"full"})

@@ -30,7 +30,7 @@ namespace Signorini
   /// The levels below the stiffness itself, before those of aggregates.
   enum class Coarsening
   {
-    geometric, ///< displacements of degree one on the same mesh, then on coarser ones
+    geometric, ///< displacements of degree one on the same mesh, on coarser ones, on grids
     degree,    ///< the first alone
     algebraic  ///< none
   };

@@ -74,16 +74,26 @@ namespace Signorini
       return level < n_spaces ? 3 : 2;
     }
 
-    /// The number of visits to a level in each cycle of the level above: a W-cycle over aggregates,
-    /// which are less accurate, but have few levels; a V-cycle over meshes, where refinement may
-    /// make many levels that hardly shrink.
+    /// The number of visits to a level in each cycle of the level above: a W-cycle over grids and
+    /// aggregates, which have matrices, are less accurate, and much smaller from level to level; a
+    /// V-cycle over meshes, where refinement may make many levels that hardly shrink.
     unsigned int
     n_visits(const unsigned int level) const
     {
-      return level < n_spaces ? 1 : 2;
+      constexpr unsigned int much = 3;
+      if (level > 0 && coarse[level - 1].matrix)
+        return much * size(level) < size(level - 1) ? 2 : 1;
+      return 1;
     }
 
   private:
+    /// The number of unknowns of a level.
+    dealii::types::global_dof_index
+    size(const unsigned int level) const
+    {
+      return level == 0 ? fine.size() : coarse[level - 1].stiffness->owned().size();
+    }
+
     const Stiffness        &fine;
     std::vector<Level>      coarse;
     const unsigned int      n_spaces, my_n_components;

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "linear_algebra/node_graph.h"
+
+#include "linear_algebra/columns.h"
+#include "linear_algebra/own_range.h"
+#include "linear_algebra/row_view.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace LA
+  {
+    namespace
+    {
+      using Index = types::global_dof_index;
+
+      /// The nodes whose unknowns are owned.
+      IndexSet
+      owned_nodes(const IndexSet &owned, const unsigned int n_components)
+      {
+        IndexSet       result(owned.size() / n_components);
+        const OwnRange range(owned);
+        if (range.size() > 0)
+          result.add_range(range.dof(0) / n_components,
+                           (range.dof(0) + range.size()) / n_components);
+        return result;
+      }
+
+      /// The nodes of a list that are not owned.
+      IndexSet
+      others(std::vector<Index> nodes, const IndexSet &owned)
+      {
+        nodes.erase(std::remove_if(nodes.begin(),
+                                   nodes.end(),
+                                   [&](const Index node) { return owned.is_element(node); }),
+                    nodes.end());
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        IndexSet result(owned.size());
+        result.add_indices(nodes.begin(), nodes.end());
+        return result;
+      }
+
+      /// The nodes of the local columns of a matrix.
+      std::vector<Index>
+      nodes_of_columns(const SparseMatrix &K, const unsigned int n_components)
+      {
+        std::vector<Index> result = global_columns(K);
+        for (Index &column : result)
+          column /= n_components;
+        return result;
+      }
+    } // namespace
+
+
+
+    NodeGraph::NodeGraph(const SparseMatrix &K, const unsigned int n_components, const Index n_kept)
+      : n_components(n_components)
+      , comm(K.get_mpi_communicator())
+      , exchange(owned_nodes(K.locally_owned_range_indices(), n_components),
+                 others(nodes_of_columns(K, n_components),
+                        owned_nodes(K.locally_owned_range_indices(), n_components)),
+                 comm)
+      , first_kept(K.m() / n_components - n_kept)
+    {
+      const std::vector<Index>   columns = global_columns(K);
+      std::vector<std::uint32_t> node_of;
+      for (const Index column : columns)
+        node_of.push_back(local(column / n_components));
+      std::vector<double>        bits(n_owned(), 0.);
+      std::vector<std::uint32_t> seen_from(size(), size());
+      first.push_back(0);
+      for (std::uint32_t node = 0; node < n_owned(); ++node)
+        {
+          unsigned int of_node = 0;
+          seen_from[node]      = node;
+          for (unsigned int c = 0; c < n_components; ++c)
+            {
+              const RowView row(K, node * n_components + c);
+              for (int k = 0; k < row.size; ++k)
+                {
+                  const std::uint32_t other = node_of[row.columns[k]];
+                  if (row.values[k] == 0 ||
+                      (other == node && columns[row.columns[k]] % n_components == c))
+                    continue;
+                  of_node |= 1u << c;
+                  if (seen_from[other] != node)
+                    neighbours.push_back(other);
+                  seen_from[other] = node;
+                }
+            }
+          bits[node] = of_node;
+          first.push_back(neighbours.size());
+        }
+      first.resize(size() + 1, neighbours.size());
+      set_free(std::move(bits));
+    }
+
+
+
+    NodeGraph::NodeGraph(const NodeSets                   &cells,
+                         const std::function<bool(Index)> &is_free,
+                         const IndexSet                   &owned,
+                         const unsigned int                n_components,
+                         const Index                       n_kept,
+                         const MPI_Comm                    comm)
+      : n_components(n_components)
+      , comm(comm)
+      , exchange(owned_nodes(owned, n_components),
+                 others(cells.nodes, owned_nodes(owned, n_components)),
+                 comm)
+      , first_kept(owned.size() / n_components - n_kept)
+    {
+      // The cells of each node.
+      std::vector<std::uint32_t> nodes;
+      std::vector<std::size_t>   begin(size() + 1, 0);
+      for (const Index node : cells.nodes)
+        {
+          nodes.push_back(local(node));
+          ++begin[nodes.back() + 1];
+        }
+      for (std::uint32_t node = 0; node < size(); ++node)
+        begin[node + 1] += begin[node];
+      std::vector<std::uint32_t> cells_of(nodes.size());
+      std::vector<std::size_t>   next(begin.begin(), begin.end() - 1);
+      const std::uint32_t        n_cells = cells.first.size() - 1;
+      for (std::uint32_t cell = 0; cell < n_cells; ++cell)
+        for (std::size_t i = cells.first[cell]; i < cells.first[cell + 1]; ++i)
+          cells_of[next[nodes[i]]++] = cell;
+
+      std::vector<std::uint32_t> seen_from(size(), size());
+      first.push_back(0);
+      for (std::uint32_t node = 0; node < size(); ++node)
+        {
+          seen_from[node] = node;
+          for (std::size_t k = begin[node]; k < begin[node + 1]; ++k)
+            for (std::size_t i = cells.first[cells_of[k]]; i < cells.first[cells_of[k] + 1]; ++i)
+              if (seen_from[nodes[i]] != node)
+                {
+                  seen_from[nodes[i]] = node;
+                  neighbours.push_back(nodes[i]);
+                }
+          first.push_back(neighbours.size());
+        }
+      std::vector<double> bits(n_owned(), 0.);
+      for (std::uint32_t node = 0; node < n_owned(); ++node)
+        {
+          unsigned int of_node = 0;
+          for (unsigned int c = 0; c < n_components; ++c)
+            if (is_free(global(node) * n_components + c))
+              of_node |= 1u << c;
+          bits[node] = of_node;
+        }
+      set_free(std::move(bits));
+    }
+
+
+
+    void
+    NodeGraph::set_free(std::vector<double> &&bits)
+    {
+      fetch(bits);
+      free.assign(bits.begin(), bits.end());
+      for (std::uint32_t node = 0; node < size(); ++node)
+        if (is_kept(node))
+          free[node] = (1u << n_components) - 1;
+    }
+
+
+
+    void
+    NodeGraph::fetch(std::vector<double> &values) const
+    {
+      values.resize(size());
+      exchange.fetch(values.data(), values.data() + exchange.n_owned());
+    }
+
+
+
+    void
+    NodeGraph::enlarge(std::vector<double> &values) const
+    {
+      exchange.enlarge(values.data() + exchange.n_owned(), values.data());
+      fetch(values);
+    }
+  } // namespace LA
+} // namespace Signorini
