@@ -67,6 +67,7 @@ namespace Signorini
         ++begin[c + 1];
       for (std::uint32_t c = 0; c < n; ++c)
         begin[c + 1] += begin[c];
+      // The nodes that refer to each coarse node.
       std::vector<std::uint32_t> fine(local.size());
       std::vector<std::size_t>   next(begin.begin(), begin.end() - 1);
       for (std::uint32_t node = 0; node < graph.size(); ++node)
@@ -97,6 +98,7 @@ namespace Signorini
 
 
 
+    // Lists are short: a cell or the neighbours of a node refer to some tens of coarse nodes.
     void
     GalerkinProduct::gather(const std::uint32_t *begin, const std::uint32_t *end)
     {
@@ -113,6 +115,7 @@ namespace Signorini
 
 
 
+    // The weights are the same for all components, so that blocks are multiplied as a whole.
     template <unsigned int n, typename Blocks>
     void
     GalerkinProduct::add_product(const std::uint32_t *begin,
@@ -208,6 +211,8 @@ namespace Signorini
 
 
 
+    // K_e P, then P^T of that, in a dense array of the coarse nodes of the cell, which is added to
+    // the matrix at the end: rows of the matrix are searched once for each of them.
     template <unsigned int n>
     void
     GalerkinProduct::add_cell(const std::vector<std::uint32_t> &nodes,

@@ -57,6 +57,7 @@ namespace Signorini
 
 
 
+    // A component without couplings has no stiffness of its neighbours: it is supported.
     NodeGraph::NodeGraph(const SparseMatrix &K, const unsigned int n_components, const Index n_kept)
       : n_components(n_components)
       , comm(K.get_mpi_communicator())
@@ -101,6 +102,8 @@ namespace Signorini
 
 
 
+    // Neighbours are the nodes of the same cells; of nodes of other ranks those in cells of this
+    // one.
     NodeGraph::NodeGraph(const NodeSets                   &cells,
                          const std::function<bool(Index)> &is_free,
                          const IndexSet                   &owned,
@@ -159,6 +162,7 @@ namespace Signorini
 
 
 
+    // Nodes of rigid bodies have no couplings, but are unknowns.
     void
     NodeGraph::set_free(std::vector<double> &&bits)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "linear_algebra/coarse_level.h"
+#include "linear_algebra/types.h"
 
 #include <vector>
 
@@ -9,6 +9,16 @@ namespace Signorini
 {
   namespace LA
   {
+    /// Systems of at most so many unknowns are factorised. Further levels would only add
+    /// communication.
+    constexpr dealii::types::global_dof_index factorised_size = 1000;
+
+    struct CoarseLevel
+    {
+      SparseMatrix matrix;       ///< P^T A P with the matrix A of the next finer level
+      SparseMatrix prolongation; ///< P, to that level
+    };
+
     /// The coarse levels of K by smoothed aggregation (ML), from finer to coarser; none if K is
     /// small. Collective.
     /// @param modes near null space of K, mode by mode: elements of this rank

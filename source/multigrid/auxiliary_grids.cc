@@ -2,8 +2,8 @@
 #include "multigrid/auxiliary_grids.h"
 
 #include "geometry/connected.h"
-#include "linear_algebra/coarse_level.h"
 #include "linear_algebra/galerkin_product.h"
+#include "linear_algebra/smoothed_aggregation.h"
 #include "matrix_free/cell_operator.h"
 #include "multigrid/condensed_cells.h"
 #include "multigrid/node_grids.h"

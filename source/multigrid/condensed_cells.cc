@@ -11,6 +11,7 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Nodes in the order of the cell, or, where others are added, by number.
   CondensedCells::CondensedCells(const CellSpace &space)
     : space(space)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "linear_algebra/coarse_level.h"
+#include "linear_algebra/smoothed_aggregation.h"
 #include "matrix_free/cell_operator.h"
 #include "multigrid/auxiliary_grids.h"
 #include "multigrid/interpolation_transfer.h"

@@ -136,6 +136,37 @@ namespace Signorini
       enlarge(graph, sets, 1, labels);
       return labels;
     }
+    /// The extents of all parts, by label. Collective. @param around see distances(); @param sizes
+    /// their logarithms
+    std::map<double, PartExtent>
+    measure_parts(const LA::NodeGraph       &graph,
+                  const std::vector<Place>  &positions,
+                  const std::vector<Place>  &around,
+                  const std::vector<double> &labels,
+                  const std::vector<double> &sizes)
+    {
+      std::map<double, PartExtent> parts;
+      for (std::uint32_t node = 0; node < graph.n_owned(); ++node)
+        if (labels[node] != GridNodes::no_part)
+          {
+            PartExtent alone;
+            alone.low = alone.high = positions[node];
+            for (unsigned int d = 0; d < graph.n_components; ++d)
+              alone.logarithms[d] = std::log2(around[node][d]) - sizes[node];
+            // Sizes that differ by powers of two have the same phase; the mean direction of the
+            // phases is that of most sizes.
+            const double phase = 2 * numbers::PI * sizes[node];
+            alone.n            = 1;
+            alone.cosine       = std::cos(phase);
+            alone.sine         = std::sin(phase);
+            parts[labels[node]].add(alone);
+          }
+      std::map<double, PartExtent> all;
+      for (const auto &of_rank : Utilities::MPI::all_gather(graph.comm, parts))
+        for (const auto &[label, extent] : of_rank)
+          all[label].add(extent);
+      return all;
+    }
   } // namespace
 
 
@@ -144,35 +175,21 @@ namespace Signorini
   std::pair<std::vector<PartGrid>, GridNodes>
   make_grids(const LA::NodeGraph &graph, const std::vector<Place> &positions)
   {
-    const unsigned int           dim = graph.n_components;
-    GridNodes                    nodes(graph.n_owned());
-    std::vector<double>          labels = label_parts(graph);
-    const std::vector<Place>     around = distances(graph, positions);
-    std::map<double, PartExtent> parts;
+    const unsigned int       dim = graph.n_components;
+    GridNodes                nodes(graph.n_owned());
+    std::vector<double>      labels = label_parts(graph);
+    const std::vector<Place> around = distances(graph, positions);
+    // Nodes that are all at one place have no grid.
     for (std::uint32_t node = 0; node < graph.n_owned(); ++node)
-      if (labels[node] != GridNodes::no_part)
-        {
-          if (around[node][0] == 0)
-            {
-              labels[node] = GridNodes::no_part;
-              continue;
-            }
-          const double size = size_of(around[node], dim), phase = 2 * numbers::PI * size;
-          nodes.sizes[node] = size;
-          PartExtent alone;
-          alone.low = alone.high = positions[node];
-          for (unsigned int d = 0; d < dim; ++d)
-            alone.logarithms[d] = std::log2(around[node][d]) - size;
-          alone.n      = 1;
-          alone.cosine = std::cos(phase);
-          alone.sine   = std::sin(phase);
-          parts[labels[node]].add(alone);
-        }
-    std::map<double, PartExtent> all;
-    for (const auto &of_rank : Utilities::MPI::all_gather(graph.comm, parts))
-      for (const auto &[label, extent] : of_rank)
-        all[label].add(extent);
+      if (around[node][0] == 0)
+        labels[node] = GridNodes::no_part;
+      else
+        nodes.sizes[node] = size_of(around[node], dim);
+    const std::map<double, PartExtent> all =
+      measure_parts(graph, positions, around, labels, nodes.sizes);
 
+    // The spacing of a part: the mean shape of the boxes around nodes, and a size with the mean
+    // phase.
     std::vector<PartGrid>    grids;
     std::map<double, double> numbers;
     std::vector<double>      units;
@@ -233,6 +250,8 @@ namespace Signorini
   unsigned int
   coarsen(PartGrid &grid, const unsigned int dim)
   {
+    // Point smoothers reduce errors in the directions in which nodes are close; in the others they
+    // need no coarser grid yet.
     const auto distance = [&](const unsigned int d) { return grid.step[d] * grid.spacing[d]; };
     double     least    = distance(0);
     for (unsigned int d = 1; d < dim; ++d)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/solid_hierarchy.h"
 
-#include "linear_algebra/coarse_level.h"
+#include "linear_algebra/smoothed_aggregation.h"
 #include "multigrid/levels.h"
 #include "solid/rigid_body_modes.h"
 
