@@ -65,6 +65,8 @@ namespace Signorini
                 columns.push_back(indices[j]);
                 values.push_back(block(i, j));
               }
+          if (columns.empty())
+            continue;
           const int row = indices[i];
           sum.InsertGlobalValues(1, &row, columns.size(), columns.data(), values.data());
         }

@@ -297,12 +297,13 @@ namespace Signorini
       const IndexSet unknowns = contiguous_partition(rows.size(), graph.comm);
       SparseMatrix   result   = matrix_of(rows, unknowns, unknowns, graph.comm);
 
-      // A vector z of the null space has P z = 0 and no right-hand side: any positive value will
-      // do.
-      constexpr double slight = 1e-7;
-      Vector           terms  = diagonal(result);
+      // A vector z of the null space has P z = 0 and no right-hand side, so that any positive value
+      // will do, except for free rigid bodies: contact alone holds them, which is stiffer.
+      constexpr double slight  = 1e-7;
+      Vector           terms   = diagonal(result);
+      const double     largest = terms.linfty_norm();
       for (double *d = values_of(terms); d != values_of(terms) + terms.locally_owned_size(); ++d)
-        *d = *d > 0 ? slight * *d : 1;
+        *d = slight * (*d > 0 ? *d : largest > 0 ? largest : 1);
       add_to_diagonal(result, terms);
       return result;
     }

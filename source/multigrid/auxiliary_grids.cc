@@ -227,9 +227,11 @@ namespace Signorini
           expected = Utilities::MPI::sum(expected, graph->comm);
           GridStep step(*graph, nodes, grids);
           // Where a grid has one cell across a thin body, it cannot bend, and does not become much
-          // coarser either. Aggregates with rotations are better then.
+          // coarser either. Aggregates with rotations are better then. There is no grid either
+          // where all nodes are supported.
           const Index n_coarse = step.interpolation.owned.size();
-          if (n_coarse > 1.9 * expected && dim * n_coarse > LA::factorised_size)
+          if (n_coarse == 0 || 10 * dim * n_coarse > 7 * present.size() ||
+              (n_coarse > 1.9 * expected && dim * n_coarse > LA::factorised_size))
             break;
           LA::GalerkinProduct product(*graph, step.interpolation);
           if (result.levels.empty())
@@ -307,17 +309,19 @@ namespace Signorini
       std::any_of(space.cells.begin(), space.cells.end(), [](const KernelCells &cells) {
         return cells.are_tetrahedra;
       });
-    Spaces grids;
+    Spaces grids{{}, nodes};
     if (!has_tetrahedra)
       grids = auxiliary_grids(space, nodes);
-    if (grids.levels.empty())
+    if (!grids.levels.empty())
+      spaces.levels.emplace_back(std::move(P), std::make_unique<CellOperator<float>>(space));
+    else
       {
         LA::SparseMatrix K;
         assemble(space, K);
-        append_last(spaces, std::move(P), std::move(K), nodes);
-        return;
+        spaces.levels.emplace_back(std::move(P), std::move(K));
+        if (has_tetrahedra)
+          grids = auxiliary_grids(*spaces.levels.back().matrix, nodes);
       }
-    spaces.levels.emplace_back(std::move(P), std::make_unique<CellOperator<float>>(space));
     append(std::move(grids), spaces);
   }
 

@@ -23,13 +23,11 @@ namespace Signorini
             const std::uint32_t *const first = &cells.nodes[std::size_t(n) * cell];
             for (unsigned int i = 0; i < n; ++i)
               sets.nodes.push_back(first[i] / dim);
-            if (is_dependent(cells, cell))
+            const auto others = masters(cells, cell);
+            is_dependent.push_back(!others.empty());
+            if (is_dependent.back())
               {
-                for (unsigned int i = 0; i < n * dim; ++i)
-                  if (const auto *line =
-                        space.constraints.get_constraint_entries(first[i / dim] + i % dim))
-                    for (const auto &entry : *line)
-                      sets.nodes.push_back(entry.first / dim);
+                sets.nodes.insert(sets.nodes.end(), others.begin(), others.end());
                 const auto begin = sets.nodes.begin() + sets.first.back();
                 std::sort(begin, sets.nodes.end());
                 sets.nodes.erase(std::unique(begin, sets.nodes.end()), sets.nodes.end());
@@ -41,17 +39,22 @@ namespace Signorini
 
 
 
-  bool
-  CondensedCells::is_dependent(const KernelCells &cells, const unsigned int cell) const
+  std::vector<types::global_dof_index>
+  CondensedCells::masters(const KernelCells &cells, const unsigned int cell) const
   {
-    const unsigned int         n     = cells.nodes_per_cell();
-    const std::uint32_t *const first = &cells.nodes[std::size_t(n) * cell];
+    constexpr unsigned int               many  = 500; // entries of constraints
+    const unsigned int                   n     = cells.nodes_per_cell();
+    const std::uint32_t *const           first = &cells.nodes[std::size_t(n) * cell];
+    std::vector<types::global_dof_index> result;
     for (unsigned int i = 0; i < n * dim; ++i)
-      if (const types::global_dof_index dof = first[i / dim] + i % dim;
-          space.constraints.is_constrained(dof))
-        if (!space.constraints.get_constraint_entries(dof)->empty())
-          return true;
-    return false;
+      if (const auto *line = space.constraints.get_constraint_entries(first[i / dim] + i % dim))
+        {
+          if (line->size() > many)
+            return {};
+          for (const auto &entry : *line)
+            result.push_back(entry.first / dim);
+        }
+    return result;
   }
 
 
@@ -107,8 +110,7 @@ namespace Signorini
                 local.push_back(graph.local(sets.nodes[i]));
               const FullMatrix<double> matrix = matrices.matrix(k);
               product.add(local,
-                          is_dependent(cells, some[k]) ? condense(cells, some[k], set, matrix) :
-                                                         matrix);
+                          is_dependent[set] ? condense(cells, some[k], set, matrix) : matrix);
             }
         }
     // Diagonal terms of this rank's nodes.

@@ -27,9 +27,10 @@ namespace Signorini
     add_to(LA::GalerkinProduct &product, const LA::NodeGraph &graph) const;
 
   private:
-    /// True if an unknown of a cell depends on others.
-    bool
-    is_dependent(const KernelCells &cells, unsigned int cell) const;
+    /// The nodes on which unknowns of a cell depend, with repetitions; none if they are many: a
+    /// preconditioner may do without them.
+    std::vector<dealii::types::global_dof_index>
+    masters(const KernelCells &cells, unsigned int cell) const;
     /// The matrix of a cell for the nodes of a set. @param matrix for those of the cell
     dealii::FullMatrix<double>
     condense(const KernelCells                &cells,
@@ -39,7 +40,8 @@ namespace Signorini
 
     static constexpr unsigned int dim = 3;
 
-    const CellSpace &space;
-    LA::NodeSets     sets;
+    const CellSpace  &space;
+    LA::NodeSets      sets;
+    std::vector<bool> is_dependent; ///< of sets: with nodes on which unknowns depend
   };
 } // namespace Signorini

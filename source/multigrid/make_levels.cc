@@ -90,9 +90,11 @@ namespace Signorini
                                              node_positions(elasticity),
                                              stiffness.tangents()};
             result = mesh_levels(linear, elasticity);
-            if (result.levels.empty())
-              result = auxiliary_grids(finest_space(linear, elasticity), linear.nodes);
-            return result;
+            if (!result.levels.empty())
+              return result;
+            // Tetrahedra at small strain have a matrix, see choose_form().
+            if (elasticity.is_nonlinear() || !elasticity.mesh().has_simplices())
+              return auxiliary_grids(finest_space(linear, elasticity), linear.nodes);
           }
       return auxiliary_grids(stiffness.matrix(), node_positions(elasticity));
     }

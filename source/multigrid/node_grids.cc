@@ -74,8 +74,10 @@ namespace Signorini
         squares.push_back(square(*other));
       if (squares.empty())
         return {};
-      std::nth_element(squares.begin(), squares.begin() + squares.size() / 2, squares.end());
-      const double limit = 4 * squares[squares.size() / 2];
+      // Fewer than three fifths are far away; of the cells of a needle a third are close.
+      const auto typical = squares.begin() + squares.size() * 2 / 5;
+      std::nth_element(squares.begin(), typical, squares.end());
+      const double limit = 4 * *typical;
       Place        result{};
       for (const std::uint32_t *other = graph.begin(node); other != graph.end(node); ++other)
         if (square(*other) <= limit)
@@ -97,27 +99,6 @@ namespace Signorini
         sum += std::log2(distances[d]);
       return sum / dim;
     }
-    /// The distances of all local nodes, on all ranks the same. Collective.
-    std::vector<Place>
-    distances(const LA::NodeGraph &graph, const std::vector<Place> &positions)
-    {
-      const unsigned int dim = graph.n_components;
-      std::vector<Place> result(graph.size());
-      for (std::uint32_t node = 0; node < graph.size(); ++node)
-        result[node] = distances(graph, positions, node, dim);
-      // A rank may have a part of the cells of a node.
-      std::vector<double> values(graph.size());
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          for (std::uint32_t node = 0; node < graph.size(); ++node)
-            values[node] = result[node][d];
-          graph.enlarge(values);
-          for (std::uint32_t node = 0; node < graph.size(); ++node)
-            result[node][d] = values[node];
-        }
-      return result;
-    }
-
     /// The part of each local node, by the largest global number of its nodes; no_part for nodes
     /// that are supported, or kept on all levels. Collective.
     std::vector<double>
@@ -175,16 +156,19 @@ namespace Signorini
   std::pair<std::vector<PartGrid>, GridNodes>
   make_grids(const LA::NodeGraph &graph, const std::vector<Place> &positions)
   {
-    const unsigned int       dim = graph.n_components;
-    GridNodes                nodes(graph.n_owned());
-    std::vector<double>      labels = label_parts(graph);
-    const std::vector<Place> around = distances(graph, positions);
+    const unsigned int  dim = graph.n_components;
+    GridNodes           nodes(graph.n_owned());
+    std::vector<double> labels = label_parts(graph);
+    std::vector<Place>  around(graph.n_owned());
     // Nodes that are all at one place have no grid.
     for (std::uint32_t node = 0; node < graph.n_owned(); ++node)
-      if (around[node][0] == 0)
-        labels[node] = GridNodes::no_part;
-      else
-        nodes.sizes[node] = size_of(around[node], dim);
+      {
+        around[node] = distances(graph, positions, node, dim);
+        if (around[node][0] == 0)
+          labels[node] = GridNodes::no_part;
+        else
+          nodes.sizes[node] = size_of(around[node], dim);
+      }
     const std::map<double, PartExtent> all =
       measure_parts(graph, positions, around, labels, nodes.sizes);
 
@@ -283,11 +267,13 @@ namespace Signorini
     corners[0]                = {0, 1.};
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const std::int64_t step = grid.step[d] << static_cast<int>(size);
-        const double       at   = place[d] / step;
-        const double       low  = std::floor(at + rounding);
-        const double       part = at - low < rounding ? 0 : at - low;
-        const auto         key  = [&](const double index) {
+        // At most as large as keys admit.
+        const std::int64_t step =
+          std::min(grid.step[d] << static_cast<int>(size), std::int64_t(zero) / 2);
+        const double at   = place[d] / step;
+        const double low  = std::floor(at + rounding);
+        const double part = at - low < rounding ? 0 : at - low;
+        const auto   key  = [&](const double index) {
           return static_cast<std::uint64_t>(static_cast<std::int64_t>(index) * step + zero);
         };
         for (unsigned int k = 0; k < n; ++k)

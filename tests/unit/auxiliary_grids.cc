@@ -258,3 +258,19 @@ TEST_CASE("cycles with grids converge fast, also for bodies that no grid fits")
                        with_matrix) <= 16);
     }
 }
+
+
+
+TEST_CASE("there are no grids where all vertices are supported")
+{
+  SmallScene<3>             scene(turned_bar + Lines{"Bodies/bar/Transformation=x; y; z",
+                                         "Bodies/bar/Subdivisions=19,19,1",
+                                         "Mesh/Degree=2",
+                                         "Supports/Names=base",
+                                         "Supports/base/Boundaries=bar.bottom, bar.top",
+                                         "Supports/base/Displacement=0; 0; 0"});
+  const MatrixFreeStiffness stiffness(*scene.elasticity);
+  const Spaces              spaces = make_spaces(*scene.elasticity, stiffness, true);
+  REQUIRE(spaces.levels.size() == 1);
+  CHECK(spaces.levels.front().matrix->m() == 3 * 20 * 20 * 2);
+}
