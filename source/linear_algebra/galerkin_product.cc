@@ -24,18 +24,6 @@ namespace Signorini
     {
       using Index = types::global_dof_index;
       using Row   = std::vector<std::pair<Index, double>>;
-
-      /// The owners of indices of which each rank in turn owns some. Collective.
-      std::function<unsigned int(Index)>
-      owners(const IndexSet &owned, const MPI_Comm comm)
-      {
-        std::vector<Index> ends = Utilities::MPI::all_gather(comm, owned.n_elements());
-        for (unsigned int rank = 1; rank < ends.size(); ++rank)
-          ends[rank] += ends[rank - 1];
-        return [ends](const Index i) -> unsigned int {
-          return std::upper_bound(ends.begin(), ends.end(), i) - ends.begin();
-        };
-      }
     } // namespace
 
 
@@ -61,19 +49,8 @@ namespace Signorini
     void
     GalerkinProduct::find_pattern()
     {
-      const std::uint32_t      n = coarse.size();
-      std::vector<std::size_t> begin(n + 1, 0);
-      for (const std::uint32_t c : local)
-        ++begin[c + 1];
-      for (std::uint32_t c = 0; c < n; ++c)
-        begin[c + 1] += begin[c];
-      // The nodes that refer to each coarse node.
-      std::vector<std::uint32_t> fine(local.size());
-      std::vector<std::size_t>   next(begin.begin(), begin.end() - 1);
-      for (std::uint32_t node = 0; node < graph.size(); ++node)
-        for (std::size_t e = P.first[node]; e < P.first[node + 1]; ++e)
-          fine[next[local[e]]++] = node;
-
+      const std::uint32_t        n = coarse.size();
+      const SetsOfMembers        fine(P.first, local, n); // nodes that refer to each coarse node
       std::vector<std::uint32_t> seen_from(n, n);
       first.push_back(0);
       for (std::uint32_t c = 0; c < n; ++c)
@@ -86,10 +63,11 @@ namespace Signorini
                   columns.push_back(local[e]);
                 }
           };
-          for (std::size_t f = begin[c]; f < begin[c + 1]; ++f)
+          for (std::size_t f = fine.first[c]; f < fine.first[c + 1]; ++f)
             {
-              visit(fine[f]);
-              std::for_each(graph.begin(fine[f]), graph.end(fine[f]), visit);
+              const std::uint32_t node = fine.sets[f];
+              visit(node);
+              std::for_each(graph.begin(node), graph.end(node), visit);
             }
           std::sort(columns.begin() + first.back(), columns.end());
           first.push_back(columns.size());
@@ -273,7 +251,12 @@ namespace Signorini
       const unsigned int n = graph.n_components;
       std::vector<Row>   rows(P.owned.n_elements() * n);
       const OwnRange     own(P.owned);
-      const auto         owner_of = owners(P.owned, graph.comm);
+      IndexSet           of_others(P.owned.size());
+      of_others.add_indices(coarse.begin(), coarse.end());
+      of_others.subtract_set(P.owned);
+      // In ascending order, as `coarse`.
+      const std::vector<unsigned int> owners =
+        Utilities::MPI::compute_index_owner(P.owned, of_others, graph.comm);
       std::map<unsigned int, std::vector<std::pair<Index, Row>>> sent;
       for (std::uint32_t c = 0; c < coarse.size(); ++c)
         for (unsigned int r = 0; r < n; ++r)
@@ -286,7 +269,8 @@ namespace Signorini
             if (own.has(coarse[c]))
               rows[own.local_index(coarse[c]) * n + r] = std::move(row);
             else
-              sent[owner_of(coarse[c])].emplace_back(coarse[c] * n + r, std::move(row));
+              sent[owners[of_others.index_within_set(coarse[c])]].emplace_back(coarse[c] * n + r,
+                                                                               std::move(row));
           }
       for (const auto &[from, shares] : Utilities::MPI::some_to_some(graph.comm, sent))
         for (const auto &[i, row] : shares)

@@ -57,6 +57,25 @@ namespace Signorini
 
 
 
+    // The sets of each member are counted first.
+    SetsOfMembers::SetsOfMembers(const std::vector<std::size_t>   &first_of_set,
+                                 const std::vector<std::uint32_t> &members,
+                                 const std::uint32_t               n_members)
+      : first(n_members + 1, 0)
+      , sets(members.size())
+    {
+      for (const std::uint32_t member : members)
+        ++first[member + 1];
+      for (std::uint32_t i = 0; i < n_members; ++i)
+        first[i + 1] += first[i];
+      std::vector<std::size_t> next(first.begin(), first.end() - 1);
+      for (std::uint32_t set = 0; set + 1 < first_of_set.size(); ++set)
+        for (std::size_t i = first_of_set[set]; i < first_of_set[set + 1]; ++i)
+          sets[next[members[i]]++] = set;
+    }
+
+
+
     // A component without couplings has no stiffness of its neighbours: it is supported.
     NodeGraph::NodeGraph(const SparseMatrix &K, const unsigned int n_components, const Index n_kept)
       : n_components(n_components)
@@ -117,30 +136,19 @@ namespace Signorini
                  comm)
       , first_kept(owned.size() / n_components - n_kept)
     {
-      // The cells of each node.
       std::vector<std::uint32_t> nodes;
-      std::vector<std::size_t>   begin(size() + 1, 0);
       for (const Index node : cells.nodes)
-        {
-          nodes.push_back(local(node));
-          ++begin[nodes.back() + 1];
-        }
-      for (std::uint32_t node = 0; node < size(); ++node)
-        begin[node + 1] += begin[node];
-      std::vector<std::uint32_t> cells_of(nodes.size());
-      std::vector<std::size_t>   next(begin.begin(), begin.end() - 1);
-      const std::uint32_t        n_cells = cells.first.size() - 1;
-      for (std::uint32_t cell = 0; cell < n_cells; ++cell)
-        for (std::size_t i = cells.first[cell]; i < cells.first[cell + 1]; ++i)
-          cells_of[next[nodes[i]]++] = cell;
-
+        nodes.push_back(local(node));
+      const SetsOfMembers        cells_of(cells.first, nodes, size());
       std::vector<std::uint32_t> seen_from(size(), size());
       first.push_back(0);
       for (std::uint32_t node = 0; node < size(); ++node)
         {
           seen_from[node] = node;
-          for (std::size_t k = begin[node]; k < begin[node + 1]; ++k)
-            for (std::size_t i = cells.first[cells_of[k]]; i < cells.first[cells_of[k] + 1]; ++i)
+          for (std::size_t k = cells_of.first[node]; k < cells_of.first[node + 1]; ++k)
+            for (std::size_t i = cells.first[cells_of.sets[k]];
+                 i < cells.first[cells_of.sets[k] + 1];
+                 ++i)
               if (seen_from[nodes[i]] != node)
                 {
                   seen_from[nodes[i]] = node;

@@ -18,6 +18,19 @@ namespace Signorini
       std::vector<dealii::types::global_dof_index> nodes;
     };
 
+    /// For each member of some sets, the sets that have it: those of member i from first[i] on.
+    struct SetsOfMembers
+    {
+      /// @param first member of each set, and the end
+      /// @param members of the sets, one after the other, below n_members
+      SetsOfMembers(const std::vector<std::size_t>   &first,
+                    const std::vector<std::uint32_t> &members,
+                    std::uint32_t                     n_members);
+
+      std::vector<std::size_t>   first;
+      std::vector<std::uint32_t> sets; ///< ascending for each member
+    };
+
     /// The nodes of a stiffness, each with n_components successive unknowns, and the pairs of them
     /// that it couples. Local nodes are those of this rank, then those of other ranks that they are
     /// coupled to.

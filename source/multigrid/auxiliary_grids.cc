@@ -304,7 +304,7 @@ namespace Signorini
               const NodePositions                &nodes)
   {
     // A node of tetrahedra has half as many neighbours as one of hexahedra, and three times as many
-    // cells: there the product with the matrix is the faster one.
+    // cells: there products with a matrix in single precision are as fast as those by cells.
     const bool has_tetrahedra =
       std::any_of(space.cells.begin(), space.cells.end(), [](const KernelCells &cells) {
         return cells.are_tetrahedra;

@@ -99,6 +99,7 @@ namespace Signorini
         sum += std::log2(distances[d]);
       return sum / dim;
     }
+
     /// The part of each local node, by the largest global number of its nodes; no_part for nodes
     /// that are supported, or kept on all levels. Collective.
     std::vector<double>
@@ -117,6 +118,7 @@ namespace Signorini
       enlarge(graph, sets, 1, labels);
       return labels;
     }
+
     /// The extents of all parts, by label. Collective. @param around see distances(); @param sizes
     /// their logarithms
     std::map<double, PartExtent>
@@ -205,8 +207,9 @@ namespace Signorini
       }
     if (!least.empty())
       Utilities::MPI::min(std::vector<double>(least), graph.comm, least);
-    // Keys of corners have so many bits for a coordinate that each part may have a million spacings
-    // in a direction; nodes that are closer have the smallest size as well.
+    // Keys of corners have 21 bits for each coordinate: a part has at most 2^18 spacings in each
+    // direction, so that there is room for grids that reach beyond it. Nodes that are closer than
+    // that have the smallest size as well.
     for (unsigned int part = 0; part < grids.size(); ++part)
       {
         const PartExtent &extent = extents[part];
