@@ -190,9 +190,10 @@ namespace Signorini
     known_tolerances.resize(decisions.pairs.size());
     {
       TimerOutput::Scope                 scope(timer, "search");
-      const std::vector<SearchTolerance> of_pairs = search_tolerances(configuration);
-      std::vector<ContactSurface<dim>>   former   = std::move(my_surfaces);
-      build_time                                  = elasticity.time();
+      const std::vector<SearchTolerance> of_pairs =
+        search_tolerances(configuration, keeps_integration_points);
+      std::vector<ContactSurface<dim>> former = std::move(my_surfaces);
+      build_time                              = elasticity.time();
       my_surfaces.clear();
       // Each pair is searched in turn on all ranks together.
       try

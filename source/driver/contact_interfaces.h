@@ -204,7 +204,7 @@ namespace Signorini
     /// The search tolerances of the pairs in a displaced configuration, by how far they have moved
     /// since build().
     std::vector<SearchTolerance>
-    search_tolerances(const Configuration<dim> &configuration);
+    search_tolerances(const Configuration<dim> &configuration, bool keeps_integration_points);
 
     /// The search tolerance of pair i in the reference configuration: from a solution on a coarser
     /// mesh, or estimated.

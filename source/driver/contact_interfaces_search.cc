@@ -45,10 +45,13 @@ namespace Signorini
 
   // In the reference configuration the estimated tolerances; in displaced ones they follow from the
   // motion since the last search: the search radius covers the deepest penetration plus the
-  // approach since. Close to the solution few candidates suffice: at least half a face.
+  // approach since. Close to the solution few candidates suffice: at least half a face. With kept
+  // integration points the candidates of the last search stay candidates: open faces contribute to
+  // Nitsche's method, so that the sequence of updates converges only if they do not change.
   template <int dim>
   std::vector<SearchTolerance>
-  ContactInterfaces<dim>::search_tolerances(const Configuration<dim> &configuration)
+  ContactInterfaces<dim>::search_tolerances(const Configuration<dim> &configuration,
+                                            const bool                keeps_integration_points)
   {
     std::vector<SearchTolerance> result;
     std::vector<double>          approaches;
@@ -62,7 +65,7 @@ namespace Signorini
             continue;
           }
         // Candidates near the solution: enough for half a face, and never fewer than before.
-        if (built_near_solution && !my_surfaces.empty())
+        if (built_near_solution && !my_surfaces.empty() && !keeps_integration_points)
           candidate_gap_near_solution[i] =
             std::max({candidate_gap_near_solution[i],
                       decisions.pairs[i].compliance.reach() +
@@ -81,8 +84,11 @@ namespace Signorini
             // moves.
             limit = pair.can_separate && !pair.gap_is_given() ? now : std::max(limit, now);
           }
-        result.push_back(
-          {built_near_solution ? candidate_gap_near_solution[i] : candidate_gap[i], limit, false});
+        result.push_back({keeps_integration_points ? my_surfaces[i].candidate_gap :
+                          built_near_solution      ? candidate_gap_near_solution[i] :
+                                                     candidate_gap[i],
+                          limit,
+                          false});
       }
     return result;
   }
@@ -212,7 +218,7 @@ namespace Signorini
   template SearchTolerance ContactInterfaces<dim>::reference_tolerance(unsigned int) const;        \
   template SearchTolerance ContactInterfaces<dim>::tolerance_from_solution(unsigned int) const;    \
   template std::vector<SearchTolerance> ContactInterfaces<dim>::search_tolerances(                 \
-    const Configuration<dim> &);                                                                   \
+    const Configuration<dim> &, bool);                                                             \
   template std::vector<double> ContactInterfaces<dim>::approach_distances(const LA::Vector &)      \
     const;                                                                                         \
   template LA::Vector ContactInterfaces<dim>::displacement_since_build(const LA::Vector &) const;  \
