@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
+#include <map>
 #include <numeric>
 #include <optional>
-#include <sstream>
+#include <string>
 
 namespace Signorini
 {
@@ -101,9 +102,14 @@ namespace Signorini
     {
       std::vector<Line>  lines;
       const unsigned int n_values = n_columns_of(snapshot);
-      for (const std::vector<double> &numbers :
-           Utilities::MPI::gather(snapshot.elasticity.mesh().communicator(),
-                                  own_lines(snapshot, pair)))
+      const MPI_Comm     comm     = snapshot.elasticity.mesh().communicator();
+      const bool         receives = Utilities::MPI::this_mpi_process(comm) == 0;
+      // Not by MPI::gather(), which compresses.
+      std::map<unsigned int, std::vector<double>> own = {{0, own_lines(snapshot, pair)}};
+      auto of_ranks = Utilities::MPI::some_to_some(comm, receives ? decltype(own)() : own);
+      if (receives)
+        of_ranks.merge(own);
+      for (const auto &[rank, numbers] : of_ranks)
         for (std::size_t i = 0; i < numbers.size(); i += n_values)
           {
             lines.emplace_back();
@@ -176,13 +182,14 @@ namespace Signorini
 
 
 
-    /// @return a number with 12 digits.
-    std::string
-    number_text(const double x)
+    /// Append a number with 12 digits.
+    void
+    append(std::string &text, const double x)
     {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.12g", x);
-      return text;
+      char digits[32];
+      text.append(
+        digits,
+        std::to_chars(digits, digits + sizeof(digits), x, std::chars_format::general, 12).ptr);
     }
 
 
@@ -195,21 +202,24 @@ namespace Signorini
             const std::optional<Expression<dim>> &reference,
             const double                          time)
     {
-      std::ostringstream out;
-      out << columns << (n_values > n_frictionless ? friction_columns : "")
-          << (reference ? ",reference" : "") << '\n';
+      std::string text = columns;
+      text += n_values > n_frictionless ? friction_columns : "";
+      text += reference ? ",reference\n" : "\n";
       for (const Line &line : lines)
         {
           for (unsigned int i = 0; i < n_values; ++i)
-            out << (i > 0 ? "," : "") << number_text(line[i]);
+            {
+              text += i > 0 ? "," : "";
+              append(text, line[i]);
+            }
           Point<dim> x;
           for (unsigned int d = 0; d < dim; ++d)
             x[d] = line[d];
           if (reference)
-            out << ',' << number_text(reference->value(x, time));
-          out << '\n';
+            append(text += ',', reference->value(x, time));
+          text += '\n';
         }
-      return out.str();
+      return text;
     }
   } // namespace
 

@@ -239,9 +239,6 @@ namespace Signorini
     /// applying them one by one in each iteration.
     void
     sum_up_surface_stiffness();
-    /// Returns false if there was nothing to add.
-    bool
-    add_point(dealii::FullMatrix<double> &block, int point, const Sums &of) const;
     /// dst += B^T D B src and the terms of the normal stress, by the surface stiffness. Collective.
     void
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;

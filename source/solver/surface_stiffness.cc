@@ -6,9 +6,10 @@
 #include "solver/contact_system.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
+
+#include <Eigen/Core>
 
 namespace Signorini
 {
@@ -67,37 +68,27 @@ namespace Signorini
       return result;
     }
 
-    /// The contact stiffness between the components a (left) and b (right) of a point, the 2 x 2
-    /// matrix of doc/theory, (4.4).
-    struct PointStiffness
-    {
-      double d, x, y, z; ///< see ContactSystem; y and z times theta
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-      bool
-      is_zero() const
+    /// The contact stiffness of points with the same columns as L^T R, where each summand of (4.4)
+    /// in doc/theory is a row of both.
+    struct Product
+    {
+      std::vector<double> L, R; ///< row by row
+
+      void
+      add_row(const double *left, const Eigen::RowVectorXd &right)
       {
-        return d == 0 && x == 0 && y == 0 && z == 0;
+        L.insert(L.end(), left, left + right.size());
+        R.insert(R.end(), right.data(), right.data() + right.size());
       }
 
-      /// Add B_a^T (d B_b - x S_b) - S_a^T (z B_b + y S_b) to a block over the columns of the
-      /// point.
-      /// @param S_a,S_b rows of the stress; null: the method does not use it
-      void
-      add_to(FullMatrix<double> &block,
-             const double       *B_a,
-             const double       *S_a,
-             const double       *B_b,
-             const double       *S_b) const
+      Matrix
+      value(const int n_columns) const
       {
-        const unsigned int n = block.m();
-        for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int l = 0; l < n; ++l)
-            {
-              double sum = B_a[k] * (S_b ? d * B_b[l] - x * S_b[l] : d * B_b[l]);
-              if (S_a)
-                sum -= S_a[k] * (S_b ? z * B_b[l] + y * S_b[l] : z * B_b[l]);
-              block(k, l) += sum;
-            }
+        const int n_rows = L.size() / n_columns;
+        return Eigen::Map<const Matrix>(L.data(), n_rows, n_columns).transpose() *
+               Eigen::Map<const Matrix>(R.data(), n_rows, n_columns);
       }
     };
   } // namespace
@@ -125,51 +116,44 @@ namespace Signorini
                       changes(Y, sums.Y),
                       changes(Z, sums.Z)};
     const int                            n_points = contact.weight.locally_owned_size();
-    FullMatrix<double>                   block; // sum over points between the same two faces
+    const unsigned int                   n        = law.n_components();
     std::vector<types::global_dof_index> indices;
     for (int first = 0, last = 0; first < n_points; first = last)
       {
         const LA::RowView columns(contact.B_free, first);
-        block.reinit(columns.size, columns.size);
-        bool any = false;
+        Product           product;
         for (; last < n_points && LA::RowView(contact.B_free, last).has_columns_of(columns); ++last)
-          any |= add_point(block, last, change);
-        if (!any)
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int b = 0; b < n; ++b)
+              {
+                const unsigned int ab = a * n + b;
+                const double       d = change.D[ab][last], x = change.X[ab][last],
+                             y = contact.theta * change.Y[ab][last],
+                             z = contact.theta * change.Z[ab][last];
+                const auto row = [&](const LA::SparseMatrix &matrix) {
+                  return Eigen::Map<const Eigen::RowVectorXd>(LA::RowView(matrix, last).values,
+                                                              columns.size);
+                };
+                // B_a^T (d B_b - x S_b) - S_a^T (z B_b + y S_b)
+                const auto B_b = row(contact.free_rows(b));
+                if (contact.has_stress() && x != 0)
+                  product.add_row(row(contact.free_rows(a)).data(),
+                                  d * B_b - x * row(contact.S_free[b]));
+                else if (d != 0)
+                  product.add_row(row(contact.free_rows(a)).data(), d * B_b);
+                if (contact.has_stress() && (y != 0 || z != 0))
+                  product.add_row(row(contact.S_free[a]).data(),
+                                  -z * B_b - y * row(contact.S_free[b]));
+              }
+        if (product.L.empty())
           continue;
+        const Matrix block = product.value(columns.size);
         indices.assign(columns.columns, columns.columns + columns.size);
-        surface.add(indices, block);
+        // Sorted columns are added several times as fast.
+        const bool is_sorted = std::is_sorted(indices.begin(), indices.end());
+        for (int k = 0; k < columns.size; ++k)
+          surface.add(
+            indices[k], columns.size, indices.data(), block.row(k).data(), false, is_sorted);
       }
-  }
-
-
-
-  // Add the contribution of one point, from the differences of its blocks; false if all of them are
-  // zero.
-  bool
-  ContactSystem::add_point(FullMatrix<double> &block, const int point, const Sums &of) const
-  {
-    const unsigned int n        = law.n_components();
-    const auto         row_of_S = [&](const unsigned int a) -> const double         *{
-      return contact.has_stress() ? LA::RowView(contact.S_free[a], point).values : nullptr;
-    };
-    bool any = false;
-    for (unsigned int a = 0; a < n; ++a)
-      for (unsigned int b = 0; b < n; ++b)
-        {
-          const unsigned int   ab = a * n + b;
-          const PointStiffness stiffness{of.D[ab][point],
-                                         of.X[ab][point],
-                                         contact.theta * of.Y[ab][point],
-                                         contact.theta * of.Z[ab][point]};
-          if (stiffness.is_zero())
-            continue;
-          any = true;
-          stiffness.add_to(block,
-                           LA::RowView(contact.free_rows(a), point).values,
-                           row_of_S(a),
-                           LA::RowView(contact.free_rows(b), point).values,
-                           row_of_S(b));
-        }
-    return any;
   }
 } // namespace Signorini

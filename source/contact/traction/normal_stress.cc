@@ -50,6 +50,17 @@ namespace Signorini
         for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
           lattice.back()[d] = rest % n;
       }
+    const hp::FECollection<dim> &elements = elasticity.finite_elements();
+    lattices.resize(elements.size());
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      if (const FiniteElement<dim> &fe = elements[e].base_element(0);
+          fe.reference_cell().is_hyper_cube())
+        for (const Point<dim> &p : fe.get_unit_support_points())
+          {
+            lattices[e].emplace_back();
+            for (unsigned int d = 0; d < dim; ++d)
+              lattices[e].back()[d] = std::lround(fe.degree * p[d]);
+          }
   }
 
 
@@ -136,6 +147,28 @@ namespace Signorini
 
 
 
+  // FE_Q has the same functions, but evaluates each by itself, which takes ten times as long.
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  NormalStress<dim>::shape_gradients(const Point<dim> &unit_point) const
+  {
+    const FiniteElement<dim>   &fe = cell->get_fe().base_element(0);
+    std::vector<Tensor<1, dim>> result;
+    result.reserve(fe.n_dofs_per_cell());
+    if (cell->reference_cell().is_simplex())
+      for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+        result.push_back(fe.shape_grad(i, unit_point));
+    else
+      {
+        const LagrangePolynomials<dim> basis(fe.degree, unit_point);
+        for (const auto &place : lattices[cell->active_fe_index()])
+          result.push_back(basis.gradient(place));
+      }
+    return result;
+  }
+
+
+
   // The row of n . sigma m over the degrees of freedom of the cell, at small strain (doc/theory,
   // (1.1), (2.12)).
   template <int dim>
@@ -207,20 +240,22 @@ namespace Signorini
   std::vector<double>
   NormalStress<dim>::product_with_gradient(const Tensor<2, 3> &V, const Point<dim> &unit_x) const
   {
-    const auto          &fe      = cell->get_fe();
-    const Tensor<2, dim> to_real = transpose(invert(jacobian(unit_x)));
-    const double         r       = position(unit_x)[0];
+    const auto          &fe              = cell->get_fe();
+    const Tensor<2, dim> to_real         = transpose(invert(jacobian(unit_x)));
+    const bool           is_axisymmetric = elasticity.model() == Model::axisymmetric;
+    const double         r               = is_axisymmetric ? position(unit_x)[0] : 0.;
+    const auto           by_unit         = shape_gradients(unit_x);
     std::vector<double>  result(indices.size());
-    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+    for (unsigned int i = 0; i < by_unit.size(); ++i)
       {
-        const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, unit_x);
+        const Tensor<1, dim> gradient = to_real * by_unit[i];
         for (unsigned int d = 0; d < dim; ++d)
           {
             // Row d of V multiplies the gradient of component d.
             double &sum = result[fe.component_to_system_index(d, i)];
             for (unsigned int e = 0; e < dim; ++e)
               sum += V[d][e] * gradient[e];
-            if (d == 0 && elasticity.model() == Model::axisymmetric)
+            if (d == 0 && is_axisymmetric)
               sum +=
                 V[2][2] * (r > 0 ? fe.base_element(0).shape_value(i, unit_x) / r : gradient[0]);
           }
@@ -265,6 +300,7 @@ namespace Signorini
     // Displacement and its gradient at the point in the reference configuration.
     const Tensor<2, dim> to_real = transpose(invert(jacobian(unit_x)));
     const Point<dim>     X       = position(unit_x);
+    const auto           by_unit = shape_gradients(unit_x);
     std::vector<double>  u(indices.size());
     Tensor<2, dim>       gradient;
     Tensor<1, dim>       value;
@@ -272,7 +308,7 @@ namespace Signorini
       {
         u[i]                       = displacement(indices[i]);
         const auto [d, node]       = fe.system_to_component_index(i);
-        const Tensor<1, dim> slope = to_real * fe.base_element(0).shape_grad(node, unit_x);
+        const Tensor<1, dim> slope = to_real * by_unit[node];
         value[d] += u[i] * fe.base_element(0).shape_value(node, unit_x);
         gradient[d] += u[i] * slope;
       }

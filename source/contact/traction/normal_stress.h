@@ -139,6 +139,10 @@ namespace Signorini
     SparseRow
     resolved(const std::vector<double> &values) const;
 
+    /// The gradients of the shape functions of a component by the reference coordinates.
+    std::vector<dealii::Tensor<1, dim>>
+    shape_gradients(const dealii::Point<dim> &unit_point) const;
+
     /// V : Grad u, for each degree of freedom of the cell.
     std::vector<double>
     product_with_gradient(const dealii::Tensor<2, 3> &V, const dealii::Point<dim> &unit_x) const;
@@ -155,6 +159,8 @@ namespace Signorini
     const unsigned int                         geometry_degree;
     StiffnessKernel<dim>                       kernel;
     std::vector<std::array<unsigned int, dim>> lattice; ///< places of the geometry's nodes
+    /// Those of the nodes of quadrilaterals and hexahedra, for each element.
+    std::vector<std::vector<std::array<unsigned int, dim>>> lattices;
     /// The element of the geometry of simplices; null if there are none.
     std::shared_ptr<const dealii::FE_SimplexP<dim>> simplex;
     Cell                                            cell;

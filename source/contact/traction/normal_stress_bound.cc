@@ -49,8 +49,8 @@ namespace Signorini
 
   // Largest eigenvalue of the generalised problem S^T S v = b K v on the cell behind the face
   // (doc/theory, (2.17)), with the stresses S at Gauss points of the face, weighted with the roots
-  // of areas. With K = V diag(k) V^T it is that of (S V k^-1/2)^T (S V k^-1/2). O(n^3) with n
-  // degrees of freedom of a cell; StressBounds keeps the results.
+  // of areas: that of S K^-1 S^T, which has as many rows as there are points. StressBounds keeps
+  // the results.
   template <int dim>
   double
   NormalStress<dim>::bound(const unsigned int face, const bool with_slip)
@@ -86,17 +86,11 @@ namespace Signorini
           }
       }
 
-    // Rigid-body modes, on which both sides vanish, are left out.
-    const SymmetricEigenpairs modes    = eigenpairs_of_symmetric(K);
-    const double              smallest = 1e-10 * modes.values.maxCoeff();
-    Eigen::VectorXd           scale    = modes.values;
-    for (unsigned int i = 0; i < n; ++i)
-      scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
-    // The product with its transpose is the smaller one, as many rows as Gauss points on the face,
-    // and has the same largest eigenvalue.
-    const Eigen::MatrixXd scaled = stress * modes.vectors * scale.asDiagonal();
+    // Both sides vanish on rigid-body modes. A stiffness of 1e-10 for these makes K regular and
+    // does not change the others, since S maps rigid-body modes to zero.
+    K.diagonal().array() += 1e-10 * K.diagonal().maxCoeff();
     return bound_of_volumetric_stress(face) +
-           eigenvalues_of_symmetric(scaled * scaled.transpose()).maxCoeff();
+           eigenvalues_of_symmetric(stress * solve_symmetric(K, stress.transpose())).maxCoeff();
   }
 
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Signorini
 {
@@ -15,19 +16,32 @@ namespace Signorini
 
   namespace
   {
-    /// The group of each local row. Consecutive rows with the same columns, those of points between
-    /// the same two faces, form a group.
+    /// The group of each local row, ascending: that of its slave face, if rows are those of
+    /// quadrature points, which are numbered face by face. Rows of nodes are groups of their own,
+    /// except for consecutive ones with the same columns.
     std::vector<unsigned int>
-    groups_of(const LA::SparseMatrix &B, const int n_rows)
+    groups_of(const GapOperator &contact)
     {
-      std::vector<unsigned int> groups;
-      for (int row = 0; row < n_rows; ++row)
+      const IndexSet           &owned = contact.weight.locally_owned_elements();
+      std::vector<unsigned int> groups(owned.n_elements());
+      if (contact.origin.node.empty())
         {
-          const bool is_first = row == 0,
-                     is_same =
-                       !is_first && LA::RowView(B, row).has_columns_of(LA::RowView(B, row - 1));
-          groups.push_back(is_first ? 0 : groups.back() + (is_same ? 0 : 1));
+          unsigned int face = 0;
+          for (const SurfacePoints &points : contact.origin.places)
+            {
+              for (const SurfacePlace &place : points.places)
+                groups[owned.index_within_set(place.rows.front().first)] = face;
+              ++face;
+            }
+          Assert(std::is_sorted(groups.begin(), groups.end()), ExcInternalError());
+          return groups;
         }
+      for (unsigned int row = 1; row < groups.size(); ++row)
+        groups[row] =
+          groups[row - 1] +
+          (LA::RowView(contact.B_free, row).has_columns_of(LA::RowView(contact.B_free, row - 1)) ?
+             0 :
+             1);
       return groups;
     }
 
@@ -41,20 +55,30 @@ namespace Signorini
     {
       LA::RowBuilder      mean(group_weight.locally_owned_elements(), contact.B_free);
       const double *const points = LA::values_of(contact.weight);
-      std::vector<double> sum;
+      std::vector<double> sum(LA::global_columns(contact.B_free).size(), 0.);
+      std::vector<int>    columns;
+      std::vector<double> values;
       for (unsigned int a = 0; a < contact.n_components(); ++a)
         for (unsigned int first = 0, last = 0; first < groups.size(); first = last)
           {
-            const LA::RowView columns(contact.B_free, first);
-            const double      total = LA::values_of(group_weight)[groups[first]];
-            sum.assign(columns.size, 0.);
+            const double total = LA::values_of(group_weight)[groups[first]];
+            columns.clear();
             for (; last < groups.size() && groups[last] == groups[first]; ++last)
               {
                 const LA::RowView row(contact.free_rows(a), last);
                 for (int k = 0; k < row.size; ++k)
-                  sum[k] += points[last] / total * row.values[k];
+                  if (row.values[k] != 0)
+                    {
+                      columns.push_back(row.columns[k]);
+                      sum[row.columns[k]] += points[last] / total * row.values[k];
+                    }
               }
-            mean.add(a * n_groups + groups[first], columns.size, columns.columns, sum.data());
+            std::sort(columns.begin(), columns.end());
+            columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+            values.clear();
+            for (const int column : columns)
+              values.push_back(std::exchange(sum[column], 0.));
+            mean.add(a * n_groups + groups[first], columns.size(), columns.data(), values.data());
           }
       return mean.finish();
     }
@@ -87,7 +111,7 @@ namespace Signorini
   // Made once for each search; collective.
   LevelContactStiffness::LevelContactStiffness(const Hierarchy   &hierarchy,
                                                const GapOperator &contact)
-    : groups(groups_of(contact.B_free, contact.weight.locally_owned_size()))
+    : groups(groups_of(contact))
     , n_groups(groups.empty() ? 0 : groups.back() + 1)
   {
     const unsigned int n_components = contact.n_components(), n = n_components * n_groups;

@@ -11,8 +11,8 @@ namespace Signorini
 {
   /// The contact (penalty) stiffness B^T D B between surfaces in contact, on all levels of a
   /// hierarchy, with B P_1 P_2 ... in the place of B (doc/theory, 7.2). Without it, the coarse
-  /// corrections of bodies in contact would be independent of each other. Points between the same
-  /// two faces share one value.
+  /// corrections of bodies in contact would be independent of each other. Quadrature points of a
+  /// slave face share one row, their mean, and one value; so do points with the same columns.
   ///
   /// Levels count from 0, the finest. Vectors are arrays of this rank's degrees of freedom of a
   /// level.
