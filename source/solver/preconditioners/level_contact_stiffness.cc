@@ -24,7 +24,7 @@ namespace Signorini
     {
       const IndexSet           &owned = contact.weight.locally_owned_elements();
       std::vector<unsigned int> groups(owned.n_elements());
-      if (contact.origin.node.empty())
+      if (!groups.empty() && contact.origin.node.empty())
         {
           unsigned int face = 0;
           for (const SurfacePoints &points : contact.origin.places)
