@@ -241,7 +241,8 @@ namespace Signorini
         noted_theta = true;
       }
     build_displacement = configuration.displacement();
-    const auto n_rows  = [&](const unsigned int i) {
+    overlaps_on_finer_mesh.clear();
+    const auto n_rows = [&](const unsigned int i) {
       const auto own = std::count(contact->origin.pair.begin(), contact->origin.pair.end(), i);
       return Utilities::MPI::sum(own, elasticity.mesh().communicator());
     };
@@ -285,7 +286,9 @@ namespace Signorini
 
 
   // Keep from the old mesh what refers to pairs and not to meshes: search tolerances from the last
-  // solution. Faces on the next mesh are half as large.
+  // solution. Faces on the next mesh are half as large, and new nodes on curved boundaries move by
+  // less than an eighth of an old face where that subtends less than a radian. Motions decrease
+  // with the error.
   template <int dim>
   void
   ContactInterfaces<dim>::invalidate()
@@ -293,11 +296,23 @@ namespace Signorini
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       known_tolerances[i] = last_approach.empty() ? SearchTolerance() : tolerance_from_solution(i);
     last_approach.clear();
+    overlaps_on_finer_mesh.clear();
+    for (const ContactSurface<dim> &surface : my_surfaces)
+      overlaps_on_finer_mesh.push_back(2 * surface.overlap + surface.face_size / 4);
+    for (unsigned int i = 0; i < candidate_gap_near_solution.size(); ++i)
+      {
+        double &near = candidate_gap_near_solution[i];
+        near /= 2;
+        if (i < my_surfaces.size() && i < near_approach.size())
+          near = std::min(near,
+                          std::max({near_candidates / 2 * my_surfaces[i].face_size,
+                                    4 * near_approach[i],
+                                    touching * elasticity.mesh().size()}));
+      }
+    near_approach.clear();
     my_surfaces.clear();
     rows.reset();
     build_displacement = LA::Vector();
-    for (double &of_pair : candidate_gap_near_solution)
-      of_pair /= 2;
   }
 
 

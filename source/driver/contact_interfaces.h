@@ -175,6 +175,9 @@ namespace Signorini
   private:
     /// The accuracy of node positions in mesh files, relative to the size of the model.
     static constexpr double touching = 1e-6;
+    /// Close to the solution, the gap of candidates in sizes of a face, if motions do not require
+    /// more.
+    static constexpr double near_candidates = 0.1;
 
     /// Let the points have the compliance of their pairs.
     void
@@ -241,7 +244,13 @@ namespace Signorini
     std::vector<SearchTolerance> known_tolerances;
     /// Approach of each pair since the reference configuration, at the last solution; empty: none
     /// yet.
-    std::vector<double>              last_approach;
+    std::vector<double> last_approach;
+    /// The largest approach of each pair to a solution on this mesh since a search close to it;
+    /// empty: none yet.
+    std::vector<double> near_approach;
+    /// A bound of the overlap of each pair where the last mesh is refined, at the same time and
+    /// displacement [length]; empty: unknown.
+    std::vector<double>              overlaps_on_finer_mesh;
     bool                             built_near_solution = false;
     std::vector<ContactSurface<dim>> my_surfaces;
     std::unique_ptr<ContactRows>     rows;

@@ -45,9 +45,11 @@ namespace Signorini
 
   // In the reference configuration the estimated tolerances; in displaced ones they follow from the
   // motion since the last search: the search radius covers the deepest penetration plus the
-  // approach since. Close to the solution few candidates suffice: at least half a face. With kept
+  // approach since, or what a finer mesh may change. Close to the solution few candidates suffice:
+  // the motion to come is about as large as the last one, and is checked afterwards. With kept
   // integration points the candidates of the last search stay candidates: open faces contribute to
-  // Nitsche's method, so that the sequence of updates converges only if they do not change.
+  // Nitsche's method, so that the sequence of updates converges only if they do not change. How far
+  // others are away at least decreases by the approach since.
   template <int dim>
   std::vector<SearchTolerance>
   ContactInterfaces<dim>::search_tolerances(const Configuration<dim> &configuration,
@@ -64,29 +66,35 @@ namespace Signorini
             result.push_back(reference_tolerance(i));
             continue;
           }
-        // Candidates near the solution: enough for half a face, and never fewer than before.
-        if (built_near_solution && !my_surfaces.empty() && !keeps_integration_points)
-          candidate_gap_near_solution[i] =
-            std::max({candidate_gap_near_solution[i],
-                      decisions.pairs[i].compliance.reach() +
-                        my_surfaces[i].face_size / 2, // 0 where nothing is in reach
-                      touching * elasticity.mesh().size()});
         const ContactPair<dim> &pair = decisions.pairs[i];
+        // Candidates near the solution: never fewer than before; the size of faces is 0 where
+        // nothing is in reach.
+        if (built_near_solution && !my_surfaces.empty() && !keeps_integration_points)
+          candidate_gap_near_solution[i] = std::max(
+            {candidate_gap_near_solution[i],
+             pair.compliance.reach() + std::clamp(2 * approaches[i],
+                                                  near_candidates * my_surfaces[i].face_size,
+                                                  my_surfaces[i].face_size / 2),
+             touching * elasticity.mesh().size()});
         // Where the gap is another one, or the pair has begun, how near it was is not known.
         const bool is_other =
           (has_time_dependent_gap(pair) || pair.is_limited()) && elasticity.time() != build_time;
         double limit = search_radius_of_pair(elasticity, pair, candidate_gap[i]);
-        if (!my_surfaces.empty() && !is_other)
+        if (!is_other && (!my_surfaces.empty() || i < overlaps_on_finer_mesh.size()))
           {
-            const double now =
-              my_surfaces[i].overlap + std::max(0., pair.closes_below) + approaches[i];
+            const double now = std::max(0., pair.closes_below) +
+                               (my_surfaces.empty() ? overlaps_on_finer_mesh[i] :
+                                                      my_surfaces[i].overlap + approaches[i]);
             // Pairs that are bilateral, or closed by the input, may be far apart even if nothing
             // moves.
             limit = pair.can_separate && !pair.gap_is_given() ? now : std::max(limit, now);
           }
-        result.push_back({keeps_integration_points ? my_surfaces[i].candidate_gap :
-                          built_near_solution      ? candidate_gap_near_solution[i] :
-                                                     candidate_gap[i],
+        result.push_back({keeps_integration_points ?
+                            std::max(0.,
+                                     my_surfaces[i].candidate_gap -
+                                       (scene.obstacle_of(pair) ? 0. : approaches[i])) :
+                          built_near_solution ? candidate_gap_near_solution[i] :
+                                                candidate_gap[i],
                           limit,
                           false});
       }
@@ -154,6 +162,15 @@ namespace Signorini
     // Kept for the search tolerances of the next mesh, see tolerance_from_solution().
     if (at_rest)
       last_approach = approaches;
+    if (!at_rest && built_near_solution)
+      {
+        near_approach.resize(approaches.size(), 0.);
+        std::transform(approaches.begin(),
+                       approaches.end(),
+                       near_approach.begin(),
+                       near_approach.begin(),
+                       [](const double a, const double b) { return std::max(a, b); });
+      }
     for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {
         const ContactPair<dim> &pair     = decisions.pairs[i];

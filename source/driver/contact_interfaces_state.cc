@@ -18,6 +18,7 @@ namespace Signorini
            {"exchanged", pair.exchanged},
            {"reach", candidate_gap[i]},
            {"nearby", i < candidate_gap_near_solution.size() ? candidate_gap_near_solution[i] : 0.},
+           {"near_approach", i < near_approach.size() ? near_approach[i] : -1.},
            {"known", i < known_tolerances.size() && known_tolerances[i].is_final},
            {"known_reach", i < known_tolerances.size() ? known_tolerances[i].candidate_gap : 0.},
            {"known_limit", i < known_tolerances.size() ? known_tolerances[i].limit : 0.},
@@ -51,6 +52,11 @@ namespace Signorini
                            "' differs from that of the checkpoint; solve the scene from the start");
         candidate_gap[i]               = was.value("reach", candidate_gap[i]);
         candidate_gap_near_solution[i] = was.value("nearby", 0.);
+        if (const double approach = was.value("near_approach", -1.); approach >= 0)
+          {
+            near_approach.resize(decisions.pairs.size(), 0.);
+            near_approach[i] = approach;
+          }
         if (was.value("known", false))
           known_tolerances[i] = {was.at("known_reach"), was.at("known_limit"), true};
         if (was.at("keeps_sides"))

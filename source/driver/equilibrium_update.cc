@@ -146,7 +146,7 @@ namespace Signorini
         // strain, where edges of two bodies may slide past each other, which no tangent contains.
         const double rate = before > 0 ? now / before : 1;
         const bool   is_foreseen =
-          !is_finite_strain && rate <= 0.1 &&
+          !is_finite_strain && rate <= 0.1 && now <= 1000 * enough &&
           (now * rate <= 0.1 * enough || (keeps_integration_points && now <= 100 * enough &&
                                           now * std::pow(rate, 1.5) <= 0.1 * enough));
         if (now <= enough || is_foreseen)

@@ -25,6 +25,16 @@ def cheap(scene, sets, newton, cycles):
     return body
 
 
+def few_updates(most):
+    """Each update of the contact geometry costs a search, set-up and solution: the surfaces settle after few of them,
+    also where open faces take part in the method."""
+    def body(test):
+        results = test.results(PRM / "ball-on-block.prm", ["Accuracy/Refinement cycles=2", *method("Nitsche")])
+        steps = results["load_steps"][-1]["newton_iterations"]
+        test.check(steps <= most, f"{steps} Newton steps on the last mesh, more than {most}")
+    return body
+
+
 def mesh_independent(gap, growth, levels=4, most=25):
     """Iterations of a Newton step: at most `most`, and on the finest mesh `growth` times those on the second (the first is
     hardly larger than its surface)."""
@@ -56,6 +66,8 @@ def cases():
     yield case("block", "Lagrange multiplier", 3, 17, BLOCK)
     yield case("block", "augmented Lagrangian", 7, 28, BLOCK)
     yield case("block", "perturbed Lagrangian", 4, 20, BLOCK, "Contact method/perturbed Lagrangian/System=condensed")
+    # It took 9 while each update changed the faces that take part, and takes 6.
+    yield Case("cost", "updates/Nitsche", few_updates(7))
     # Regression: 13 in each refinement of the closed state; 12, 14, 15 in those of the half-open one.
     yield Case("cost/iterations", "closed", mesh_independent("closed", 1.2), labels={"full"})
     yield Case("cost/iterations", "half-open", mesh_independent("0.02*(x/10)^2", 1.3), labels={"full"})

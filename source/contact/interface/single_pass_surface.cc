@@ -111,6 +111,8 @@ namespace Signorini
         make_points();
         // From here on the candidates only: points of faces whose gap is small enough.
         choose_points();
+        if (!at_rest && !self && pair.can_separate)
+          forget_other_integration_points();
         if (!at_rest)
           set_gap_offset(configuration.displacement(), surface.points);
         if (method.uses_slip())
@@ -306,11 +308,30 @@ namespace Signorini
         surface.overlap = deepest_overlap(surface.points, comm);
         if (at_rest && !pair.gap_is_given())
           check_search_distance(surface.overlap, pair);
-        surface.candidate_gap = std::max(surface.candidate_gap, 2 * surface.overlap);
+        // Integration points of an earlier search are those of its candidates, and tell nothing of
+        // other faces.
+        const bool has_candidates = has_fixed_points && !self && !obstacle;
+        if (!has_candidates)
+          surface.candidate_gap = std::max(surface.candidate_gap, 2 * surface.overlap);
         if (!pair.can_separate)
           keep_zero_gap_points(pair, slave, paired, surface.points);
-        else if (surface.candidate_gap < limit)
+        else if (surface.candidate_gap < limit && !has_candidates)
           keep_candidates(surface.candidate_gap, slave, paired, surface.points);
+      }
+
+      /// Keep the integration points of faces that are candidates only: others will not be, as long
+      /// as integration points are kept. (On a self-contact surface they tell slaves from masters.)
+      void
+      forget_other_integration_points()
+      {
+        std::vector<bool> is_candidate(slave.faces.size(), false);
+        for (const ContactPoint<dim> &point : surface.points)
+          is_candidate[point.face] = true;
+        auto &fixed = surface.fixed_points;
+        fixed.erase(std::remove_if(fixed.begin(),
+                                   fixed.end(),
+                                   [&](const auto &point) { return !is_candidate[point.face]; }),
+                    fixed.end());
       }
 
       /// Set the multiplier shape functions of points and segment edge points. Throws SceneError if
