@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of contact points against how gaps change when bodies move; nodes held by supports.
 
+#include "contact/search/face_patches.h"
 #include "linear_algebra/columns.h"
 #include "solid/cell_nodes.h"
 
@@ -314,4 +315,45 @@ TEST_CASE("values at the columns of contact rows are added to those of their own
   const unsigned int n = Utilities::MPI::sum(columns.size(), MPI_COMM_WORLD);
   REQUIRE(n > 0);
   CHECK(v.l1_norm() == doctest::Approx(before + n));
+}
+
+namespace
+{
+  /// Faces by their vertices, or by the mapping where they are curved, against the mapping alone.
+  template <int dim>
+  unsigned int
+  check_face_patches(const SmallScene<dim> &scene)
+  {
+    const Mesh<dim> &mesh = *scene.mesh;
+    FacePatches<dim> patch_of(mesh);
+    unsigned int     n_curved = 0;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              const FacePatch<dim> patch = patch_of(cell, f),
+                                   exact(mesh.surface_mapping(), mesh.surface_degree(), cell, f);
+              n_curved += exact.get_degree() > 1;
+              for (const Point<dim - 1> &xi : face_lattice<dim>(patch.reference_cell(), 2))
+                {
+                  // As far as lower degrees reproduce the face.
+                  CHECK(patch.position(xi).distance(exact.position(xi)) < 3e-6 * exact.diameter());
+                  CHECK((patch.normal(xi) - exact.normal(xi)).norm() < 1e-4);
+                }
+            }
+    return Utilities::MPI::sum(n_curved, MPI_COMM_WORLD);
+  }
+} // namespace
+
+TEST_CASE("faces of a mesh are those of its mapping, and their normals point outward")
+{
+  unsigned int n_curved = 0;
+  for (const Case &one : cases_2d())
+    n_curved += check_face_patches(SmallScene<2>(one.lines));
+  CHECK(n_curved > 0);
+  n_curved = 0;
+  for (const Case &one : cases_3d())
+    n_curved += check_face_patches(SmallScene<3>(one.lines + Lines{"Dimension=3"}));
+  CHECK(n_curved > 0);
 }

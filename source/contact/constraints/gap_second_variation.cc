@@ -68,8 +68,9 @@ namespace Signorini
   {
     // Until the slave point is known, the factors hold the metric A and the curvatures K = n . y_ab
     // of the master; second_variation_of_bodies() replaces them.
-    const auto              tangents   = patch.tangents(xi);
-    const auto              curvatures = patch.curvatures(xi);
+    const auto              geometry   = patch.at(xi, 2);
+    const auto             &tangents   = geometry.tangents;
+    const auto             &curvatures = geometry.curvatures;
     GapSecondVariation<dim> second_variation;
     second_variation.directions.assign(tangents.begin(), tangents.end());
     for (const auto &row : tangents)

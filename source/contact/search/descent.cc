@@ -86,9 +86,10 @@ namespace Signorini
     model_at(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &xi)
     {
       QuadraticModel<dim> m;
-      m.residual            = face.position(xi) - x;
-      m.tangents            = face.tangents(xi);
-      const auto curvatures = face.curvatures(xi);
+      const auto          geometry = face.at(xi, 2);
+      m.residual                   = geometry.position - x;
+      m.tangents                   = geometry.tangents;
+      const auto &curvatures       = geometry.curvatures;
 
       Tensor<2, dim - 1> gauss_newton, hessian;
       for (unsigned int i = 0; i < dim - 1; ++i)

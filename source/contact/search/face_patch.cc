@@ -90,8 +90,9 @@ namespace Signorini
     BoundingBox<dim>
     box_of(const ReferenceCell &shape, const std::vector<Point<dim>> &nodes, const unsigned int k)
     {
-      const Tensor<1, dim> deviation = largest_deviation(shape, nodes, k);
-      BoundingBox<dim>     box(every_nth_of_lattice(shape, nodes, k, k));
+      const Tensor<1, dim> deviation =
+        k == 1 ? Tensor<1, dim>() : largest_deviation(shape, nodes, k);
+      BoundingBox<dim> box(k == 1 ? nodes : every_nth_of_lattice(shape, nodes, k, k));
       auto &[lower, upper]  = box.get_boundary_points();
       const double rounding = 1e-14 * (lower.norm() + upper.norm());
       for (unsigned int d = 0; d < dim; ++d)
@@ -182,8 +183,14 @@ namespace Signorini
     // points; a margin of a quarter is added. Lines and triangles of degree 1 have none.
     constexpr double margin = 1.25;
     largest_curvature       = 0;
-    if (degree == 1 && shape != ReferenceCells::Quadrilateral)
-      return;
+    if (degree == 1)
+      {
+        // That of a bilinear face is constant, and has two equal entries.
+        if (shape == ReferenceCells::Quadrilateral)
+          largest_curvature =
+            margin * std::sqrt(2.) * ((nodes[0] - nodes[1]) + (nodes[3] - nodes[2])).norm();
+        return;
+      }
     for (const Parameter &xi : face_lattice<dim>(shape, 2))
       {
         double square = 0;
@@ -196,52 +203,84 @@ namespace Signorini
 
 
 
-  // Sum of nodes times Lagrange polynomials (equation 3.1).
+  // Sums of nodes times Lagrange polynomials (equation 3.1), or times their derivatives. Lines,
+  // quadrilaterals and triangles of degree 1 are the faces of most meshes, and most of a search is
+  // these sums: they are written out.
   template <int dim>
-  Point<dim>
-  FacePatch<dim>::position(const Parameter &xi) const
+  FaceGeometry<dim>
+  FacePatch<dim>::at(const Parameter &xi, const unsigned int n_derivatives) const
   {
+    FaceGeometry<dim> result;
+    if (degree == 1)
+      {
+        if constexpr (dim == 2)
+          {
+            result.position    = Point<dim>((1 - xi[0]) * nodes[0] + xi[0] * nodes[1]);
+            result.tangents[0] = nodes[1] - nodes[0];
+          }
+        else if (is_triangle(shape))
+          {
+            result.position =
+              Point<dim>((1 - xi[0] - xi[1]) * nodes[0] + xi[0] * nodes[1] + xi[1] * nodes[2]);
+            result.tangents = {{nodes[1] - nodes[0], nodes[2] - nodes[0]}};
+          }
+        else
+          {
+            const double x = xi[0], y = xi[1];
+            result.position         = Point<dim>((1 - y) * ((1 - x) * nodes[0] + x * nodes[1]) +
+                                         y * ((1 - x) * nodes[2] + x * nodes[3]));
+            result.tangents         = {{(1 - y) * (nodes[1] - nodes[0]) + y * (nodes[3] - nodes[2]),
+                                        (1 - x) * (nodes[2] - nodes[0]) + x * (nodes[3] - nodes[1])}};
+            result.curvatures[0][1] = (nodes[3] - nodes[2]) - (nodes[1] - nodes[0]);
+            result.curvatures[1][0] = result.curvatures[0][1];
+          }
+        return result;
+      }
     const FaceFunctions<dim> basis(shape, degree, xi);
-    return Point<dim>(basis.template derivative_of<Tensor<1, dim>>(nodes, {}));
-  }
-
-
-
-  // First derivatives of the position by the parameters [length]; their length is the size of the
-  // face, as parameters are in [0, 1].
-  template <int dim>
-  std::array<Tensor<1, dim>, dim - 1>
-  FacePatch<dim>::tangents(const Parameter &xi) const
-  {
-    const FaceFunctions<dim>            basis(shape, degree, xi);
-    std::array<Tensor<1, dim>, dim - 1> result;
-    for (unsigned int i = 0; i < dim - 1; ++i)
+    const auto               derivative = [&](const std::array<unsigned int, dim - 1> &orders) {
+      return basis.template derivative_of<Tensor<1, dim>>(nodes, orders);
+    };
+    result.position = Point<dim>(derivative({}));
+    for (unsigned int i = 0; i < dim - 1 && n_derivatives > 0; ++i)
       {
         std::array<unsigned int, dim - 1> orders{};
-        orders[i] = 1;
-        result[i] = basis.template derivative_of<Tensor<1, dim>>(nodes, orders);
+        orders[i]          = 1;
+        result.tangents[i] = derivative(orders);
+        for (unsigned int j = 0; j <= i && n_derivatives > 1; ++j)
+          {
+            auto second = orders;
+            ++second[j];
+            result.curvatures[i][j] = result.curvatures[j][i] = derivative(second);
+          }
       }
     return result;
   }
 
 
 
-  // Second derivatives of the position by the parameters [length], symmetric in both indices.
+  template <int dim>
+  Point<dim>
+  FacePatch<dim>::position(const Parameter &xi) const
+  {
+    return at(xi, 0).position;
+  }
+
+
+
+  template <int dim>
+  std::array<Tensor<1, dim>, dim - 1>
+  FacePatch<dim>::tangents(const Parameter &xi) const
+  {
+    return at(xi, 1).tangents;
+  }
+
+
+
   template <int dim>
   std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1>
   FacePatch<dim>::curvatures(const Parameter &xi) const
   {
-    const FaceFunctions<dim>                                 basis(shape, degree, xi);
-    std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> result;
-    for (unsigned int i = 0; i < dim - 1; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        {
-          std::array<unsigned int, dim - 1> orders{};
-          ++orders[i];
-          ++orders[j];
-          result[i][j] = result[j][i] = basis.template derivative_of<Tensor<1, dim>>(nodes, orders);
-        }
-    return result;
+    return at(xi, 2).curvatures;
   }
 
 

@@ -16,6 +16,19 @@
 
 namespace Signorini
 {
+  /// Position and derivatives of a face at one point.
+  template <int dim>
+  struct FaceGeometry
+  {
+    dealii::Point<dim> position;
+    /// The tangents d x / d xi_i [length]; not of unit length.
+    std::array<dealii::Tensor<1, dim>, dim - 1> tangents;
+    /// Second derivatives d2 x / d xi_i d xi_j [length], symmetric.
+    std::array<std::array<dealii::Tensor<1, dim>, dim - 1>, dim - 1> curvatures;
+  };
+
+
+
   /// The geometry of one face: x(xi) = sum_i L_i(xi) X_i with Lagrange polynomials of degree k and
   /// equidistant nodes, in lexicographic order, on the line or square [0,1]^(dim-1) or on the
   /// reference triangle. It equals the face of a mapping of the same degree, and does not refer to
@@ -44,6 +57,11 @@ namespace Signorini
     /// The face after a rigid motion of its points.
     FacePatch
     moved(const std::function<dealii::Point<dim>(const dealii::Point<dim> &)> &motion) const;
+
+    /// Position and derivatives of a point.
+    /// @param n_derivatives the highest order that is needed, 0 to 2; others may be zero
+    FaceGeometry<dim>
+    at(const Parameter &xi, unsigned int n_derivatives) const;
 
     /// The position x(xi) of a point of the face (doc/theory, (3.1)).
     dealii::Point<dim>

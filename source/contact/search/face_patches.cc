@@ -10,21 +10,47 @@ namespace Signorini
 
   namespace
   {
-    /// The nodes of a face, lexicographic, then its middle and a point inside of the cell.
+    /// The nodes of a face, lexicographic.
     template <int dim>
     Quadrature<dim>
     places_on(const ReferenceCell &cell, const unsigned int face, const unsigned int k)
     {
-      const ReferenceCell     shape = shape_of_faces(cell);
       std::vector<Point<dim>> points;
-      for (const Point<dim - 1> &xi : face_lattice<dim>(shape, k))
+      for (const Point<dim - 1> &xi : face_lattice<dim>(shape_of_faces(cell), k))
         points.push_back(unit_point<dim>(cell, face, xi));
-      points.push_back(unit_point<dim>(cell, face, shape.barycenter<dim - 1>()));
-      // A step along the third coordinate line leaves the face to the inside wherever the mapping
-      // is valid; the center of a flat or strongly curved cell may lie on the wrong side.
-      points.push_back(points.back());
-      points.back() += 1e-3 * inward_direction<dim>(cell, face);
       return Quadrature<dim>(points);
+    }
+
+    /// The sign that makes the parametric normal of a face point out of the cell. A mapping of
+    /// positive Jacobian determinant does not change that of the reference cell.
+    template <int dim>
+    double
+    outward_sign(const ReferenceCell &cell, const unsigned int face)
+    {
+      const Tensor<1, dim> inward = inward_direction<dim>(cell, face);
+      if constexpr (dim == 2)
+        return cross_product_2d(face_direction<dim>(cell, face, 0)) * inward < 0 ? 1 : -1;
+      else
+        return cross_product_3d(face_direction<dim>(cell, face, 0),
+                                face_direction<dim>(cell, face, 1)) *
+                     inward <
+                   0 ?
+                 1 :
+                 -1;
+    }
+
+    /// True if no curve or surface of the mesh contains a side of the face, or the face itself:
+    /// then its vertices determine it.
+    template <int dim>
+    bool
+    is_straight(const typename Triangulation<dim>::cell_iterator &cell, const unsigned int face)
+    {
+      const auto of_cell = cell->face(face);
+      bool       result  = of_cell->manifold_id() == numbers::flat_manifold_id;
+      if constexpr (dim == 3)
+        for (unsigned int l = 0; l < of_cell->n_lines(); ++l)
+          result = result && of_cell->line(l)->manifold_id() == numbers::flat_manifold_id;
+      return result;
     }
 
     /// Halve the degree of a face's nodes as long as its shape does not change; returns the degree.
@@ -79,16 +105,27 @@ namespace Signorini
   FacePatches<dim>::operator()(const typename Triangulation<dim>::cell_iterator &cell,
                                const unsigned int                                face)
   {
-    const ReferenceCell reference = cell->reference_cell();
-    FEValues<dim>      &values    = *(reference.is_simplex() ? of_simplices : of_hypercubes)[face];
-    values.reinit(cell);
-    std::vector<Point<dim>> nodes    = values.get_quadrature_points();
-    const Tensor<1, dim>    outwards = nodes[nodes.size() - 2] - nodes.back();
-    nodes.resize(nodes.size() - 2);
-    const unsigned int k =
-      lower_degree(shape_of_faces(reference), nodes, geometry_degree_of(reference, degree));
-    const FacePatch<dim> patch(k, nodes, 1);
-    return patch.normal(patch.middle()) * outwards > 0 ? patch : FacePatch<dim>(k, nodes, -1);
+    const ReferenceCell     reference = cell->reference_cell();
+    FEValues<dim>          &values = *(reference.is_simplex() ? of_simplices : of_hypercubes)[face];
+    std::vector<Point<dim>> nodes;
+    unsigned int            k = 1;
+    if (is_straight<dim>(cell, face))
+      // Vertices of a face in lexicographic order are vertices of the cell.
+      for (const Point<dim - 1> &xi : face_lattice<dim>(shape_of_faces(reference), 1))
+        {
+          const Point<dim> unit = unit_point<dim>(reference, face, xi);
+          unsigned int     v    = 0;
+          while (reference.vertex<dim>(v).distance_square(unit) > 0.1)
+            ++v;
+          nodes.push_back(cell->vertex(v));
+        }
+    else
+      {
+        values.reinit(cell);
+        nodes = values.get_quadrature_points();
+        k = lower_degree(shape_of_faces(reference), nodes, geometry_degree_of(reference, degree));
+      }
+    return FacePatch<dim>(k, nodes, outward_sign<dim>(reference, face));
   }
 
 
