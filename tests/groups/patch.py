@@ -83,7 +83,7 @@ def cases():
         yield Case("patch/exact", f"patch-3d/factor-1e8/{short(name)}",
                    uniform("patch-3d", method(name, Factor=1e8), EXACT["patch-3d"], spread=1e-6))
     # On distorted faces the error of the rule remains, and falls with its order.
-    for points, spread in ((2, 5e-3), (3, 5e-4), (4, 1e-6), (7, 5e-8)):
+    for points, spread in ((2, 3e-3), (3, 1e-4), (4, 3e-6), (7, 5e-8)):
         yield Case("patch/distorted", f"{points}-points",
                    uniform("patch-3d-distorted", [f"Contact method/Quadrature points={points}"], EXACT["patch-3d"],
                            exact=1e-5, spread=spread))

@@ -150,7 +150,7 @@ TEST_CASE("projections onto triangular faces agree with dense sampling")
 
 TEST_CASE("segments of triangles and quadrilaterals tile the slave, whichever the other side has")
 {
-  const auto &rule = cell_rule<2>(triangle, 2);
+  const SegmentRule<3> rule(2);
   for (const bool slave_has_triangles : {false, true})
     for (const bool master_has_triangles : {false, true})
       {

@@ -5,10 +5,7 @@
 #include "contact/search/local_faces.h"
 #include "contact/search/segments.h"
 #include "contact/search/self_contact.h"
-#include "geometry/cell_rule.h"
 #include "geometry/face_parameter.h"
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <iterator>
@@ -24,22 +21,6 @@ namespace Signorini
     /// A point lies beside its master face if the tangential part of its distance is larger than
     /// this, in diameters of the face.
     constexpr double beside = 1e-3;
-
-    /// Quadrature rule on a segment, with positive weights. Its degree is at least 2 n - 1 on
-    /// triangles; for n = 2 the rule of degree 2 with three points suffices, since it integrates
-    /// products of two bilinear functions as exactly as the constant pressure of a patch test
-    /// needs.
-    template <int dim>
-    Quadrature<dim - 1>
-    segment_rule(const unsigned int n)
-    {
-      if constexpr (dim == 3)
-        // The rule of degree 2 by Strang and Fix, with its points inside of the triangle.
-        if (n == 2)
-          return Quadrature<2>({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
-                               {1. / 6, 1. / 6, 1. / 6});
-      return cell_rule<dim - 1>(ReferenceCells::get_simplex<dim - 1>(), n);
-    }
 
     /// True if a face is far from a parallelogram: its bilinear term exceeds a fifth of its
     /// diameter. Then the inverse maps of segments are far from linear, and segments get a rule of
@@ -64,7 +45,7 @@ namespace Signorini
     template <int dim>
     struct SegmentRules
     {
-      Quadrature<dim - 1> usual, distorted;
+      SegmentRule<dim> usual, distorted;
       /// Number of points on each straight piece of a segment edge.
       unsigned int on_edges;
     };
@@ -267,7 +248,7 @@ namespace Signorini
   {
     const unsigned int      n     = integration.n_points;
     const unsigned int      more  = std::max(n, integration.n_points_of_distorted);
-    const SegmentRules<dim> rules = {segment_rule<dim>(n), segment_rule<dim>(more), n};
+    const SegmentRules<dim> rules = {SegmentRule<dim>(n), SegmentRule<dim>(more), n};
     LocalSegments<dim>      segments(master, rules, limit, statistics);
     Pairing<dim>            pairing;
     const auto              travelling = [&](const unsigned int i) {

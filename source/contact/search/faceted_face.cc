@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/segments.h"
+#include "geometry/face_functions.h"
 #include "geometry/face_parameter.h"
 
 #include <algorithm>
@@ -51,6 +52,38 @@ namespace Signorini
       else
         return cross_product_3d(facet.axes[0], facet.axes[1]);
     }
+
+    /// True if the multilinear facet of the corners replaces those between all nodes. Segments are
+    /// intersections in planes, so that only the deviation along the facet moves their boundaries,
+    /// and one across it as far as the planes of both faces differ: on a sphere of radius R a face
+    /// of size h deviates by h/(8 R) of its size, and neighbours of which only one is divided
+    /// overlap by (h/R)^2/24 of it, which with this limit is less than what counts as covered
+    /// twice.
+    template <int dim>
+    bool
+    is_one_facet(const FacePatch<dim> &face)
+    {
+      constexpr double most_across = 5e-3, most_along = 1e-4;
+      if (face.get_degree() == 1)
+        return true;
+      const ReferenceCell    &shape = face.reference_cell();
+      const Tensor<1, dim>    n     = face.normal(face.middle());
+      std::vector<Point<dim>> x;
+      for (const Point<dim - 1> &corner : face_lattice<dim>(shape, 1))
+        x.push_back(face.position(corner));
+      for (const Point<dim - 1> &xi : face_lattice<dim>(shape, face.get_degree()))
+        {
+          const Tensor<1, dim> deviation =
+            face.position(xi) -
+            Point<dim>(
+              FaceFunctions<dim>(shape, 1, xi).template derivative_of<Tensor<1, dim>>(x, {}));
+          const double across = std::abs(deviation * n);
+          if (across > most_across * face.diameter() ||
+              (deviation - (deviation * n) * n).norm() > most_along * face.diameter())
+            return false;
+        }
+      return true;
+    }
   } // namespace
 
 
@@ -100,11 +133,12 @@ namespace Signorini
   FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
     : patch(patch)
   {
-    // A face of degree k is divided between neighbouring nodes, into k facets in each direction.
+    // A face of degree k is divided between neighbouring nodes, into k facets in each direction,
+    // if it has to be.
     // Of a triangle there are those from a node to the next ones along the parameters, and those
     // from there back.
     const ReferenceCell &shape = patch.reference_cell();
-    const int            k     = patch.get_degree();
+    const int            k     = is_one_facet(patch) ? 1 : patch.get_degree();
     const auto           add   = [&](const int i, const int j, const int step) {
       Facet<dim>         facet;
       std::array<int, 2> from{{i, j}};

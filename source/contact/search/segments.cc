@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/search/segments.h"
 
-#include <deal.II/base/quadrature_lib.h>
+#include "geometry/cell_rule.h"
+
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -173,7 +174,7 @@ namespace Signorini
     common_points(const Flat<1> &a,
                   const Flat<1> &b,
                   const unsigned int /*n_facets*/,
-                  const Quadrature<1> &rule)
+                  const SegmentRule<2> &rule)
     {
       // The interval of one facet in the line of the other, whatever the direction of its parameter
       // is.
@@ -182,9 +183,9 @@ namespace Signorini
       if (lower >= upper)
         return {};
       FlatPoints<1> result;
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        result.emplace_back(Point<1>(lower + rule.point(q)[0] * (upper - lower)),
-                            rule.weight(q) * (upper - lower));
+      for (unsigned int q = 0; q < rule.on_simplices.size(); ++q)
+        result.emplace_back(Point<1>(lower + rule.on_simplices.point(q)[0] * (upper - lower)),
+                            rule.on_simplices.weight(q) * (upper - lower));
       return result;
     }
 
@@ -206,27 +207,32 @@ namespace Signorini
       return false;
     }
 
-    /// The fan of triangles around the first corner of a polygon.
-    std::vector<std::array<Point<2>, 3>>
-    fan_of(const Polygon &p)
+    /// Append the points of a rule on a flat triangle or quadrilateral.
+    void
+    append(const Quadrature<2> &rule, const Flat<2> &x, FlatPoints<2> &points)
     {
-      std::vector<std::array<Point<2>, 3>> triangles;
-      for (std::size_t i = 1; i + 1 < p.size(); ++i)
-        triangles.push_back({{p[0].x, p[i].x, p[i + 1].x}});
-      return triangles;
+      const Tensor<1, 2> edge = x[1] - x[0], other = x[2] - x[0], warp = warp_of(x);
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const Point<2> &s = rule.point(q);
+          points.emplace_back(x[0] + s[0] * edge + s[1] * other + s[0] * s[1] * warp,
+                              rule.weight(q) * cross(edge + s[1] * warp, other + s[0] * warp));
+        }
     }
 
-    double
-    volume(const std::array<Point<2>, 3> &x) // twice the area, as the reference triangle has 1/2
+    /// Points of a convex polygon, cut into quadrilaterals and, if the number of corners is odd, a
+    /// triangle around its first corner. A polynomial of degree k is one of degree k in each
+    /// parameter of a quadrilateral, and its Jacobian one of degree 1.
+    FlatPoints<2>
+    points_of_pieces(const Polygon &p, const SegmentRule<3> &rule)
     {
-      return cross(x[1] - x[0], x[2] - x[0]);
-    }
-
-    /// The point of a triangle with given reference coordinates.
-    Point<2>
-    in_triangle(const std::array<Point<2>, 3> &x, const Point<2> &s)
-    {
-      return x[0] + s[0] * (x[1] - x[0]) + s[1] * (x[2] - x[0]);
+      FlatPoints<2> result;
+      std::size_t   i = 1;
+      for (; i + 2 < p.size(); i += 2)
+        append(rule.on_squares, {{{p[0].x, p[i].x, p[i + 2].x, p[i + 1].x}}, false}, result);
+      if (i + 1 < p.size())
+        append(rule.on_simplices, {{{p[0].x, p[i].x, p[i + 1].x, {}}}, true}, result);
+      return result;
     }
 
     /// Three points of a convex polygon with equal weights that have its area, centre and second
@@ -243,10 +249,10 @@ namespace Signorini
       double       area = 0;
       Tensor<1, 2> first;
       Tensor<2, 2> second;
-      for (const auto &triangle : fan_of(p))
+      for (std::size_t i = 1; i + 1 < p.size(); ++i)
         {
-          const double       part = volume(triangle) / 2;
-          const Tensor<1, 2> a = triangle[1] - p[0].x, b = triangle[2] - p[0].x;
+          const Tensor<1, 2> a = p[i].x - p[0].x, b = p[i + 1].x - p[0].x;
+          const double       part = cross(a, b) / 2;
           area += part;
           first += part / 3 * (a + b);
           second +=
@@ -283,34 +289,28 @@ namespace Signorini
 
     /// Quadrature points of the common part of two flat facets. With a rule of degree 2 a part of
     /// two triangles, whose linear functions have products of degree 2, has three points, whatever
-    /// its shape is; also one with a parallelogram if it is smaller than a ninth of the slave face.
-    /// Others have those of the rule in each triangle of a fan. In larger parts the terms of degree
-    /// 3 and 4 of products of two bilinear functions count: with three points in all of them
-    /// largest pressures are off by 1e-3 where the mesh leaves 1e-2, and by 3e-4 where it leaves
-    /// 1e-3 (scene two-curved-3d); with this limit by less than 1e-4. It is a little less than a
-    /// ninth, so that rounding does not decide on regular meshes.
+    /// its shape is; also one with a parallelogram if it is smaller than a twelfth of the slave
+    /// face. Others have those of the rule in quadrilaterals and triangles. In larger parts the
+    /// terms of degree 3 and 4 of products of two bilinear functions count: with three points in
+    /// parts of up to a ninth largest pressures are off by 7e-4 where the mesh leaves 1e-3 (scene
+    /// two-curved-3d), with this limit by 1e-6. It is a little less than a twelfth, so that
+    /// rounding does not decide on regular meshes.
     /// @param n_facets of the face that has the first facet
     FlatPoints<2>
-    common_points(const Flat<2>       &a,
-                  const Flat<2>       &b,
-                  const unsigned int   n_facets,
-                  const Quadrature<2> &rule)
+    common_points(const Flat<2>        &a,
+                  const Flat<2>        &b,
+                  const unsigned int    n_facets,
+                  const SegmentRule<3> &rule)
     {
       if (apart(a, b))
         return {};
-      constexpr unsigned int n_of_degree_2 = 3;
-      constexpr double       small_part    = 0.11;
-      const Polygon          ours = counterclockwise(a), p = clip(counterclockwise(b), ours);
-      const bool             is_small = signed_area(p) < small_part * n_facets * signed_area(ours);
-      if (rule.size() == n_of_degree_2 && (is_small || (a.is_triangle && b.is_triangle)) &&
+      constexpr double small_part = 0.08;
+      const Polygon    ours = counterclockwise(a), p = clip(counterclockwise(b), ours);
+      const bool       is_small = signed_area(p) < small_part * n_facets * signed_area(ours);
+      if (rule.on_simplices.size() == 3 && (is_small || (a.is_triangle && b.is_triangle)) &&
           has_polynomials(a) && has_polynomials(b))
         return points_of_degree_2(p);
-      FlatPoints<2> result;
-      for (const auto &triangle : fan_of(p))
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          result.emplace_back(in_triangle(triangle, rule.point(q)),
-                              rule.weight(q) * volume(triangle));
-      return result;
+      return points_of_pieces(p, rule);
     }
 
     /// A piece of a side of a facet inside of another one, with its outward direction in the plane.
@@ -342,8 +342,8 @@ namespace Signorini
     {
       if (apart(a, b))
         return {};
-      const Polygon         p = clip(counterclockwise(b), counterclockwise(a));
-      const QGauss<1>       rule(n_points);
+      const Polygon         p    = clip(counterclockwise(b), counterclockwise(a));
+      const Quadrature<1>  &rule = cell_rule<1>(ReferenceCells::Line, n_points);
       std::vector<Piece<2>> pieces;
       for (std::size_t i = 0; i < p.size(); ++i)
         {
@@ -379,7 +379,7 @@ namespace Signorini
         return {xi,
                 theirs.parameter_of_face(master.reference_cell(),
                                          invert<dim - 1>(theirs_flat, y).first),
-                measure / jacobian / Utilities::fixed_power<dim - 1>(double(slave.get_degree())) *
+                measure / jacobian * Utilities::fixed_power<dim - 1>(std::abs(ours.edges[0][0])) *
                   slave.jacobian(xi)};
       }
     };
@@ -403,12 +403,26 @@ namespace Signorini
 
 
 
+  // On triangles with n = 2 the rule of degree 2 by Strang and Fix, with its points inside.
+  template <int dim>
+  SegmentRule<dim>::SegmentRule(const unsigned int n)
+    : on_simplices(cell_rule<dim - 1>(ReferenceCells::get_simplex<dim - 1>(), n))
+    , on_squares(cell_rule<dim - 1>(ReferenceCells::get_hypercube<dim - 1>(), n))
+  {
+    if constexpr (dim == 3)
+      if (n == 2)
+        on_simplices = Quadrature<2>({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
+                                     {1. / 6, 1. / 6, 1. / 6});
+  }
+
+
+
   // Intersect each pair of facets, and choose points in the common part. Not collective.
   template <int dim>
   std::vector<SegmentPoint<dim>>
-  segment_points(const FacetedFace<dim>    &slave,
-                 const FacetedFace<dim>    &master,
-                 const Quadrature<dim - 1> &rule)
+  segment_points(const FacetedFace<dim> &slave,
+                 const FacetedFace<dim> &master,
+                 const SegmentRule<dim> &rule)
   {
     std::vector<SegmentPoint<dim>> points;
     for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
@@ -453,7 +467,9 @@ namespace Signorini
   template std::vector<SegmentEdgePoint<3>>
   segment_edge_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, unsigned int);
   template std::vector<SegmentPoint<2>>
-  segment_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, const Quadrature<1> &);
+  segment_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, const SegmentRule<2> &);
   template std::vector<SegmentPoint<3>>
-  segment_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, const Quadrature<2> &);
+  segment_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, const SegmentRule<3> &);
+  template struct SegmentRule<2>;
+  template struct SegmentRule<3>;
 } // namespace Signorini

@@ -30,6 +30,18 @@ namespace Signorini
     unsigned int           side;    ///< of the master face, see ends_of_side()
   };
 
+  /// Quadrature rules, with positive weights, on the pieces that segments are cut into.
+  template <int dim>
+  struct SegmentRule
+  {
+    /// @param n the degree is at least 2 n - 1, on quadrilaterals in each parameter; for n = 2 on
+    /// triangles it is 2, with three points, which integrates products of two bilinear functions as
+    /// exactly as the constant pressure of a patch test needs
+    explicit SegmentRule(unsigned int n);
+
+    dealii::Quadrature<dim - 1> on_simplices, on_squares;
+  };
+
   /// A (multi)linear piece of a face between neighbouring nodes of its geometry, of the shape of
   /// the face; corners lexicographic.
   template <int dim>
@@ -53,7 +65,8 @@ namespace Signorini
     side_of_face(const dealii::ReferenceCell &shape, unsigned int side) const;
   };
 
-  /// A face with its multilinear facets, computed once for all segments of the face.
+  /// A face with its multilinear facets, computed once for all segments of the face: one for a face
+  /// that hardly differs from that of its corners.
   template <int dim>
   struct FacetedFace
   {
@@ -70,24 +83,24 @@ namespace Signorini
   };
 
   /// Contact segments (doc/theory, 3.3): the exact intersection of a slave face with the projection
-  /// of a master face, cut into simplices with a quadrature rule on each. Integrands that have a
+  /// of a master face, cut into pieces with a quadrature rule on each. Integrands that have a
   /// kink where master faces meet are smooth on each segment.
   ///
-  /// Both faces are split along the nodes of their geometry into multilinear facets. Facets meet in
+  /// Both faces are split along the nodes of their geometry into multilinear facets, unless one is
+  /// as good. Facets meet in
   /// the plane (2D: line) through the center of the slave's facet, normal to its mean normal, into
   /// which both are projected along that normal (Puso and Laursen, CMAME 193 (2004) 601-629). A
   /// point of the intersection goes back to each facet's own parameters, and is weighted with the
   /// Jacobian of the true slave face there: if master faces cover the slave face, then the weights
   /// of all segments sum up to its area also where it is curved.
   ///
-  /// @param rule quadrature rule on the reference interval (2D) or triangle (3D)
   /// @return the points of all segments; none where the faces do not overlap. The distance of the
   /// faces and their orientation are not checked.
   template <int dim>
   std::vector<SegmentPoint<dim>>
-  segment_points(const FacetedFace<dim>            &slave,
-                 const FacetedFace<dim>            &master,
-                 const dealii::Quadrature<dim - 1> &rule);
+  segment_points(const FacetedFace<dim> &slave,
+                 const FacetedFace<dim> &master,
+                 const SegmentRule<dim> &rule);
 
   /// Quadrature points on the edges of the segments that segment_points() makes.
   /// @param n_points number of Gauss points on each straight piece of an edge; 2D: there is one
