@@ -165,11 +165,8 @@ namespace Signorini
     if (!at_rest && built_near_solution)
       {
         near_approach.resize(approaches.size(), 0.);
-        std::transform(approaches.begin(),
-                       approaches.end(),
-                       near_approach.begin(),
-                       near_approach.begin(),
-                       [](const double a, const double b) { return std::max(a, b); });
+        for (unsigned int i = 0; i < approaches.size(); ++i)
+          near_approach[i] = std::max(near_approach[i], approaches[i]);
       }
     for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {

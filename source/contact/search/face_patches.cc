@@ -27,16 +27,13 @@ namespace Signorini
     double
     outward_sign(const ReferenceCell &cell, const unsigned int face)
     {
-      const Tensor<1, dim> inward = inward_direction<dim>(cell, face);
+      Tensor<1, dim> normal;
       if constexpr (dim == 2)
-        return cross_product_2d(face_direction<dim>(cell, face, 0)) * inward < 0 ? 1 : -1;
+        normal = cross_product_2d(face_direction<dim>(cell, face, 0));
       else
-        return cross_product_3d(face_direction<dim>(cell, face, 0),
-                                face_direction<dim>(cell, face, 1)) *
-                     inward <
-                   0 ?
-                 1 :
-                 -1;
+        normal =
+          cross_product_3d(face_direction<dim>(cell, face, 0), face_direction<dim>(cell, face, 1));
+      return normal * inward_direction<dim>(cell, face) < 0 ? 1 : -1;
     }
 
     /// True if no curve or surface of the mesh contains a side of the face, or the face itself:
