@@ -51,14 +51,14 @@ namespace Signorini
     Mesh(Mesh &&) = delete; // the triangulation calls map_cells()
 
     /// @return the triangulation.
-    const dealii::parallel::DistributedTriangulationBase<dim> &
+    const dealii::parallel::TriangulationBase<dim> &
     triangulation() const
     {
       return *tria;
     }
 
     /// @return the triangulation for refinement, which METIS does not allow.
-    dealii::parallel::DistributedTriangulationBase<dim> &
+    dealii::parallel::TriangulationBase<dim> &
     triangulation()
     {
       return *tria;
@@ -350,8 +350,8 @@ namespace Signorini
     std::vector<dealii::BoundingBox<dim>> extents;
     dealii::BoundingBox<dim>              whole_extent;
 
-    std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
-    dealii::hp::MappingCollection<dim> my_mappings, my_surface_mappings;
+    std::unique_ptr<dealii::parallel::TriangulationBase<dim>> tria;
+    dealii::hp::MappingCollection<dim>                        my_mappings, my_surface_mappings;
   };
 
   /// Partition a serial triangulation by METIS, such that cells that face each other across a

@@ -39,7 +39,7 @@ namespace Signorini
                        const unsigned int               dim,
                        const std::vector<std::string>  &chosen,
                        const std::vector<unsigned int> &representatives,
-                       const std::set<unsigned int>    &part_nodes)
+                       const std::vector<unsigned int> &part_nodes)
     : file(file)
     , representatives(representatives)
     , in_order(!chosen.empty())
@@ -113,7 +113,7 @@ namespace Signorini
   // for all of them: then the set is not meant as a boundary.
   std::vector<std::string>
   FaceNames::notes(const std::vector<MeshFile::Nodes> &faces,
-                   const std::set<unsigned int>       &part_nodes) const
+                   const std::vector<unsigned int>    &part_nodes) const
   {
     std::vector<std::string> result;
     for (const auto &[name, set] : node_sets)

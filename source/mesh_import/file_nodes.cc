@@ -62,42 +62,72 @@ namespace Signorini
                             const std::vector<const MeshFile::Element *> &elements,
                             const std::vector<unsigned int>              &representatives)
   {
-    const auto representative = [&](const unsigned int node) {
-      return node < representatives.size() ? representatives[node] : node;
-    };
     numbers        = file.numbers;
     first_inserted = file.first_inserted;
-    std::set<unsigned int> known;
-    // Nodes that are vertices of cells.
+    n_vertices     = cells[0].vertices.size();
+    std::vector<bool> is_known(file.nodes.size());
     for (const auto &cell : cells)
-      {
-        corners.emplace_back(cell.vertices.begin(), cell.vertices.end());
-        known.insert(cell.vertices.begin(), cell.vertices.end());
-      }
-    // Nodes within edges, faces or the element itself are identified by the sorted corners around
-    // them.
-    for (const MeshFile::Element *element : elements)
-      for (unsigned int i = n_corners(element->shape);
-           (element->shape == cell_shape<dim> || element->shape == simplex_shape<dim>)&&i <
-           element->nodes.size();
-           ++i)
+      for (const unsigned int node : cell.vertices)
         {
-          Nodes of_node = CellShape::of(element->shape).corners_around(i, *element);
-          for (unsigned int &node : of_node)
-            node = representative(node);
-          between[element->nodes[i]] = sorted(of_node);
-          known.insert(element->nodes[i]);
+          vertices.push_back(node);
+          is_known[node] = true;
         }
+    for (unsigned int c = 0; c < elements.size(); ++c)
+      {
+        const MeshFile::Element &element = *elements[c];
+        const CellShape         &shape   = CellShape::of(element.shape);
+        for (unsigned int i = shape.n_corners; i < element.nodes.size(); ++i)
+          {
+            // Neighbours agree on the vertices around a node, so that its first cell is enough.
+            if (is_known[element.nodes[i]])
+              continue;
+            is_known[element.nodes[i]] = true;
+            middles.push_back({element.nodes[i], c, 0});
+            for (const unsigned int node : shape.corners_around(i, element))
+              {
+                const auto &of_cell = cells[c].vertices;
+                const auto found = std::find(of_cell.begin(), of_cell.end(), representatives[node]);
+                Assert(found != of_cell.end(), ExcInternalError());
+                middles.back().vertices |= 1u << (found - of_cell.begin());
+              }
+          }
+      }
+    std::sort(middles.begin(), middles.end(), [](const Middle &a, const Middle &b) {
+      return a.node < b.node;
+    });
     // A set keeps those of its nodes that exist in this mesh.
     for (const auto &group : file.groups)
       {
         std::set<unsigned int> here;
         for (const unsigned int node : group.nodes)
-          if (known.count(representative(node)) > 0)
-            here.insert(representative(node));
+          if (is_known[representatives[node]])
+            here.insert(representatives[node]);
         if (!here.empty())
           sets[group.name].assign(here.begin(), here.end());
       }
+  }
+
+
+
+  /// @return the vertices between which a node lies, sorted; none if it is not in the middle of
+  /// any.
+  template <int dim>
+  std::optional<MeshFile::Nodes>
+  FileNodes<dim>::vertices_around(const unsigned int node) const
+  {
+    const auto found = std::lower_bound(middles.begin(),
+                                        middles.end(),
+                                        node,
+                                        [](const Middle &middle, const unsigned int wanted) {
+                                          return middle.node < wanted;
+                                        });
+    if (found == middles.end() || found->node != node)
+      return {};
+    Nodes result;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (found->vertices & (1u << v))
+        result.push_back(vertices[found->cell * n_vertices + v]);
+    return sorted(result);
   }
 
 
@@ -150,32 +180,29 @@ namespace Signorini
     std::map<Nodes, unsigned int>        at_middle;
     std::set<unsigned int>               near_middle;
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      if (const auto middle = between.find(nodes[i]); middle != between.end())
+      if (const auto around = vertices_around(nodes[i]))
         {
-          at_middle[middle->second] = i;
-          near_middle.insert(middle->second.begin(), middle->second.end());
+          at_middle[*around] = i;
+          near_middle.insert(around->begin(), around->end());
         }
       else
         at_corner[nodes[i]] = i;
 
-    NodeSet<dim>       result(nodes.size());
-    ReferenceCell      reference;
-    std::vector<Nodes> edges_and_faces; // of that cell
-    for (unsigned int c = 0; c < corners.size(); ++c)
+    NodeSet<dim> result(nodes.size());
+    if (vertices.empty())
+      return {};
+    const ReferenceCell      reference       = ReferenceCell::n_vertices_to_type(dim, n_vertices);
+    const std::vector<Nodes> edges_and_faces = objects(reference);
+    for (unsigned int c = 0; c < vertices.size() / n_vertices; ++c)
       {
-        if (const auto own = ReferenceCell::n_vertices_to_type(dim, corners[c].size());
-            own != reference)
-          {
-            reference       = own;
-            edges_and_faces = objects(reference);
-          }
-        for (unsigned int v = 0; v < corners[c].size(); ++v)
-          if (const auto found = at_corner.find(corners[c][v]); found != at_corner.end())
+        const unsigned int *const corners = &vertices[c * n_vertices];
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          if (const auto found = at_corner.find(corners[v]); found != at_corner.end())
             result[found->second].push_back(
-              {c, reference.vertex<dim>(v), corners[c][v] >= first_inserted});
+              {c, reference.vertex<dim>(v), corners[v] >= first_inserted});
         // A cell is searched for middles only if at least two of its corners surround one.
         const auto n_near =
-          std::count_if(corners[c].begin(), corners[c].end(), [&](const unsigned int node) {
+          std::count_if(corners, corners + n_vertices, [&](const unsigned int node) {
             return near_middle.count(node) > 0;
           });
         if (n_near > 1)
@@ -183,7 +210,7 @@ namespace Signorini
             {
               Nodes of_object;
               for (const unsigned int v : object)
-                of_object.push_back(corners[c][v]);
+                of_object.push_back(corners[v]);
               if (const auto found = at_middle.find(sorted(of_object)); found != at_middle.end())
                 result[found->second].push_back({c, middle_of<dim>(reference, object)});
             }

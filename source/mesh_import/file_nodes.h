@@ -4,6 +4,8 @@
 #include "mesh_import/mesh_file.h"
 #include <signorini/geometry/coarse_mesh.h>
 
+#include <optional>
+
 namespace Signorini
 {
   /// The nodes of a mesh file as points of the cells of a body, and their named sets. Mid-side
@@ -38,15 +40,26 @@ namespace Signorini
   private:
     using Nodes = MeshFile::Nodes;
 
+    /// A node within an edge, a face or the interior of a cell, given by the vertices around it,
+    /// bit by bit.
+    struct Middle
+    {
+      unsigned int node, cell, vertices;
+    };
+
     /// As MeshFile::first_inserted.
     unsigned int first_inserted = -1;
-    /// The vertices of the cells, in deal.II's order, as indices of nodes of the file.
-    std::vector<Nodes> corners;
-    /// For each mid-side node its surrounding corners, sorted.
-    std::map<unsigned int, Nodes>                                        between;
+    /// The number of vertices of a cell, and the vertices of all cells, cell by cell in deal.II's
+    /// order, as indices of nodes of the file.
+    unsigned int n_vertices = 0;
+    Nodes        vertices;
+    /// Mid-side nodes in ascending order, each as that of one of its cells.
+    std::vector<Middle>                                                  middles;
     std::map<std::string, Nodes>                                         sets;
     std::map<std::string, std::unordered_map<std::size_t, unsigned int>> numbers;
     Nodes
     nodes_called(const std::string &name) const;
+    std::optional<Nodes>
+    vertices_around(unsigned int node) const;
   };
 } // namespace Signorini

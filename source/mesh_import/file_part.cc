@@ -113,35 +113,43 @@ namespace Signorini
 
 
     /// Throws SceneError if two cells have the same corners, which some programs accept, and then
-    /// add their stiffness. Cost: O(n log n).
+    /// add their stiffness.
     template <int dim>
     void
     reject_repetitions(const std::vector<CellData<dim>>             &cells,
                        const std::vector<const MeshFile::Element *> &elements,
                        const std::vector<Point<dim>>                &vertices)
     {
-      // Sort cells by their sorted corners, so that equal ones are neighbours.
-      using Corners = std::vector<unsigned int>;
-      std::vector<std::pair<Corners, unsigned int>> all(cells.size());
+      // Cells are sorted by the sum of the squares of their corners, so that few of them have to be
+      // compared.
+      std::vector<std::pair<std::uint64_t, unsigned int>> all;
       for (unsigned int c = 0; c < cells.size(); ++c)
-        all[c] = {sorted(cells[c].vertices), c};
+        {
+          std::uint64_t sum = 0;
+          for (const std::uint64_t node : cells[c].vertices)
+            sum += node * node;
+          all.emplace_back(sum, c);
+        }
       std::sort(all.begin(), all.end());
-      const auto same = [](const auto &a, const auto &b) { return a.first == b.first; };
+      std::vector<std::pair<unsigned int, unsigned int>> same;
+      for (auto first = all.begin(); first != all.end(); ++first)
+        for (auto other = first + 1; other != all.end() && other->first == first->first; ++other)
+          if (sorted(cells[first->second].vertices) == sorted(cells[other->second].vertices))
+            {
+              same.emplace_back(first->second, other->second);
+              break;
+            }
+      if (same.empty())
+        return;
       const auto name = [&](const unsigned int c) {
         return "element " + std::to_string(elements[c]->number) + " (" + elements[c]->type + ")";
       };
-      unsigned int n     = 0;
-      auto         first = all.end();
-      for (auto next = all.begin(); (next = std::adjacent_find(next, all.end(), same)) != all.end();
-           ++next)
-        if (++n == 1)
-          first = next;
-      if (n > 0)
-        throw SceneError(
-          "has " + name(first->second) + " twice, also as " + name((first + 1)->second) + ", at " +
-          text_of(vertices[first->first[0]]) +
-          (n > 1 ? ", and " + std::to_string(n - 1) + " others" : "") +
-          "; remove one of them (CalculiX adds their stiffness: use the sum of the moduli)");
+      const auto &[one, other] = *std::min_element(same.begin(), same.end());
+      throw SceneError(
+        "has " + name(one) + " twice, also as " + name(other) + ", at " +
+        text_of(vertices[sorted(cells[one].vertices)[0]]) +
+        (same.size() > 1 ? ", and " + std::to_string(same.size() - 1) + " others" : "") +
+        "; remove one of them (CalculiX adds their stiffness: use the sum of the moduli)");
     }
 
 
@@ -152,26 +160,36 @@ namespace Signorini
     std::vector<CellData<dim - 1>>
     boundary_faces(const std::vector<CellData<dim>> &cells, const std::vector<Point<dim>> &vertices)
     {
-      std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_cells;
-      for (const auto &cell : cells)
-        for (const unsigned int face : reference_cell_of(cell).face_indices())
-          ++n_cells[Centers::key(face_nodes(cell, face))];
+      // Sorted by their nodes, faces of several cells are neighbours.
+      struct Face
+      {
+        Centers::Key key;
+        unsigned int cell, face;
+      };
+      std::vector<Face> all;
+      all.reserve(cells.size() * reference_cell_of(cells[0]).n_faces());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (const unsigned int face : reference_cell_of(cells[c]).face_indices())
+          all.push_back({Centers::key(face_nodes(cells[c], face)), c, face});
+      std::sort(all.begin(), all.end(), [](const Face &a, const Face &b) { return a.key < b.key; });
 
+      std::vector<std::pair<unsigned int, unsigned int>> at_boundary; // cell, face
+      for (auto first = all.begin(), next = first; first != all.end(); first = next)
+        {
+          next = std::find_if(first, all.end(), [&](const Face &f) { return f.key != first->key; });
+          if (next - first > 2)
+            throw SceneError("has a face with more than two cells at " +
+                             text_of(vertices[first->key[0]]));
+          if (next - first == 1)
+            at_boundary.emplace_back(first->cell, first->face);
+        }
+      std::sort(at_boundary.begin(), at_boundary.end());
       std::vector<CellData<dim - 1>> faces;
-      for (const auto &cell : cells)
-        for (const unsigned int face : reference_cell_of(cell).face_indices())
-          {
-            const MeshFile::Nodes nodes = face_nodes(cell, face);
-            const unsigned int    n     = n_cells[Centers::key(nodes)];
-            if (n > 2)
-              throw SceneError("has a face with more than two cells at " +
-                               text_of(vertices[nodes[0]]));
-            if (n == 1)
-              {
-                faces.emplace_back(nodes.size());
-                faces.back().vertices = nodes;
-              }
-          }
+      for (const auto &[c, face] : at_boundary)
+        {
+          faces.emplace_back(reference_cell_of(cells[c]).face_reference_cell(face).n_vertices());
+          faces.back().vertices = face_nodes(cells[c], face);
+        }
       return faces;
     }
 
@@ -316,20 +334,20 @@ namespace Signorini
 
 
 
-    /// @return for each vertex that cells use, in ascending order, whether it was inserted by
-    /// dividing cells.
+    /// @return the nodes that cells use, in ascending order.
     template <int dim>
-    std::vector<bool>
-    inserted_vertices(const std::vector<CellData<dim>> &cells, const MeshFile &file)
+    std::vector<unsigned int>
+    nodes_of(const std::vector<CellData<dim>> &cells, const unsigned int n_nodes)
     {
-      std::vector<bool> used(file.nodes.size()), inserted;
+      std::vector<bool> is_used(n_nodes);
       for (const auto &cell : cells)
         for (const unsigned int node : cell.vertices)
-          used[node] = true;
-      for (unsigned int node = 0; node < used.size(); ++node)
-        if (used[node])
-          inserted.push_back(node >= file.first_inserted);
-      return inserted;
+          is_used[node] = true;
+      std::vector<unsigned int> result;
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        if (is_used[node])
+          result.push_back(node);
+      return result;
     }
 
 
@@ -381,10 +399,8 @@ namespace Signorini
       touching_pieces =
         CoincidingNodes<dim>(cells, vertices, selection.node_distance).reject_cracks();
 
-    std::set<unsigned int> corners;
-    for (const auto &cell : cells)
-      corners.insert(cell.vertices.begin(), cell.vertices.end());
-    const FaceNames names(file, dim, selection.boundaries, representatives, corners);
+    file_nodes = nodes_of(cells, vertices.size()); // unused ones are removed below, in this order
+    const FaceNames names(file, dim, selection.boundaries, representatives, file_nodes);
     auto           &list = [&]() -> std::vector<CellData<dim - 1>>           &{
       if constexpr (dim == 2)
         return faces.boundary_lines;
@@ -401,11 +417,11 @@ namespace Signorini
     std::vector<MeshFile::Nodes> face_corners;
     for (const auto &face : list)
       face_corners.push_back(face.vertices);
-    for (const std::string &note : names.notes(face_corners, corners))
+    for (const std::string &note : names.notes(face_corners, file_nodes))
       notes.push_back(note);
 
-    inserted = inserted_vertices(cells, file);
-    file_nodes.assign(corners.begin(), corners.end()); // what is left keeps its order
+    for (const unsigned int node : file_nodes)
+      inserted.push_back(node >= file.first_inserted);
     if (cells[0].vertices.size() != dim + 1)
       GridTools::consistently_order_cells(cells);
     nodes = FileNodes<dim>(file, cells, elements, representatives);

@@ -86,7 +86,7 @@ namespace Signorini
               unsigned int                     dim,
               const std::vector<std::string>  &names,
               const std::vector<unsigned int> &representatives,
-              const std::set<unsigned int>    &part_nodes);
+              const std::vector<unsigned int> &part_nodes);
 
     /// @return indices of the names of a face; none if no group contains it.
     /// @param corners of the face in the mesh, which may be a part of a face of the file
@@ -107,7 +107,7 @@ namespace Signorini
     /// @param part_nodes the nodes of the cells of the part
     std::vector<std::string>
     notes(const std::vector<MeshFile::Nodes> &faces,
-          const std::set<unsigned int>       &part_nodes) const;
+          const std::vector<unsigned int>    &part_nodes) const;
 
   private:
     /// Register a name of a face.

@@ -31,18 +31,17 @@ namespace Signorini
     std::vector<std::string>
     split_at_commas(const std::string &text)
     {
-      std::vector<std::string> words{""};
+      std::vector<std::string> words;
       bool                     is_quoted = false;
-      for (const char c : text)
-        if (c == ',' && !is_quoted)
-          words.emplace_back();
-        else
+      std::size_t              start     = 0;
+      for (std::size_t i = 0; i <= text.size(); ++i)
+        if (i == text.size() || (text[i] == ',' && !is_quoted))
           {
-            words.back() += c;
-            is_quoted ^= c == '"';
+            words.push_back(trim(text.substr(start, i - start)));
+            start = i + 1;
           }
-      for (std::string &word : words)
-        word = trim(word);
+        else
+          is_quoted ^= text[i] == '"';
       return words;
     }
 
@@ -331,7 +330,8 @@ namespace Signorini
           }
         my_has_continuation = line.back() == ',';
         words = split_at_commas(my_has_continuation ? line.substr(0, line.size() - 1) : line);
-        std::transform(words.begin(), words.end(), words.begin(), without_quotes);
+        if (line.find('"') != std::string::npos)
+          std::transform(words.begin(), words.end(), words.begin(), without_quotes);
       }
     return true;
   }
