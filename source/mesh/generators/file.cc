@@ -296,7 +296,7 @@ namespace Signorini
     });
     append(!are_kept     ? divide_cells(all, dim, selection.part, mid_side_nodes) :
            are_simplices ? check_simplices(all, chosen, dim) :
-                           cut_into_tetrahedra(all, chosen, mid_side_nodes),
+                           cut_into_simplices(all, chosen, mid_side_nodes),
            notes);
     return result;
   }

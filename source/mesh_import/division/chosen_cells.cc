@@ -81,7 +81,7 @@ namespace Signorini
   // diagonal.
   ChosenCells::ChosenCells(const MeshFile &file, const unsigned int dim, const std::string &part)
     : all(file.elements.size())
-    , as_tetrahedra(file.elements.size())
+    , as_simplices(file.elements.size())
   {
     const std::vector<unsigned int> cells   = cells_of_part(file, dim, part);
     const Shape                     regular = dim == 2 ? Shape::quadrilateral : Shape::hexahedron;
@@ -103,7 +103,7 @@ namespace Signorini
         [](const CellShape &shape) { return shape.edges; },
         [&](const Shape shape) { return shape != regular; });
     if (n_pyramids > 0)
-      as_tetrahedra = connected(file, cells, quadrilaterals, [](const Shape shape) {
+      as_simplices = connected(file, cells, quadrilaterals, [](const Shape shape) {
         return shape == Shape::pyramid;
       });
   }
@@ -112,10 +112,10 @@ namespace Signorini
 
   ChosenCells::ChosenCells(const MeshFile &file, const std::vector<unsigned int> &cells)
     : all(file.elements.size())
-    , as_tetrahedra(file.elements.size())
+    , as_simplices(file.elements.size())
     , any(!cells.empty())
   {
     for (const unsigned int e : cells)
-      all[e] = as_tetrahedra[e] = true;
+      all[e] = as_simplices[e] = true;
   }
 } // namespace Signorini

@@ -19,7 +19,7 @@ namespace Signorini
     /// For each element of the file whether it is divided.
     std::vector<bool> all;
     /// For each element of the file whether it is divided into tetrahedra first.
-    std::vector<bool> as_tetrahedra;
+    std::vector<bool> as_simplices;
     /// Whether any element is not a quadrilateral or hexahedron, i.e. whether anything has to be
     /// done.
     bool any = false;

@@ -21,7 +21,7 @@ namespace Signorini
     using Nodes = MeshFile::Nodes;
 
     /// Midpoint subdivision of the chosen elements of a file, see divide_cells(), or only their
-    /// division into tetrahedra, see cut_into_tetrahedra(). Cost: linear in the number of elements,
+    /// division into tetrahedra, see cut_into_simplices(). Cost: linear in the number of elements,
     /// by hash tables of edges and faces.
     class HexSubdivision
     {
@@ -29,11 +29,11 @@ namespace Signorini
       HexSubdivision(MeshFile          &file,
                      const unsigned int dim,
                      const ChosenCells &chosen,
-                     const bool         to_tetrahedra)
+                     const bool         to_simplices)
         : file(file)
         , dim(dim)
         , chosen(chosen)
-        , to_tetrahedra(to_tetrahedra)
+        , to_simplices(to_simplices)
         , centers(file)
         , report(file, dim)
       {}
@@ -135,12 +135,12 @@ namespace Signorini
         for (unsigned int e = 0; e < file.elements.size(); ++e)
           {
             first_cell.push_back(cells.size());
-            if (chosen.as_tetrahedra[e])
+            if (chosen.as_simplices[e])
               {
                 for (const Nodes &face : CellShape::of(file.elements[e].shape).faces)
                   if (face.size() == 4)
                     store_triangles(nodes_at(file.elements[e], face));
-                for (const auto &cell : tetrahedra_of(file.elements[e], file, centers))
+                for (const auto &cell : simplices_of(file.elements[e], file, centers))
                   cells.push_back(cell);
               }
             else if (chosen.all[e])
@@ -188,14 +188,14 @@ namespace Signorini
               if (chosen.all[e] && file.elements[e].shape == shape)
                 {
                   ++n;
-                  n_cut += chosen.as_tetrahedra[e] && shape != Shape::pyramid;
+                  n_cut += chosen.as_simplices[e] && shape != Shape::pyramid;
                 }
             if (shape == Shape::pyramid)
               n_pyramids = n;
             if (n > 0)
               counts.push_back(counted(n, name));
           }
-        if (to_tetrahedra)
+        if (to_simplices)
           return join(counts) + " cut into " + std::to_string(cells.size()) + " tetrahedra";
         // Each cell has as many children as corners.
         for (const MeshFile::Element &cell : cells)
@@ -235,7 +235,7 @@ namespace Signorini
             if (!chosen.all[e])
               elements.push_back(file.elements[e]);
             for (unsigned int c = first_cell[e]; c < first_cell[e + 1]; ++c)
-              if (to_tetrahedra)
+              if (to_simplices)
                 keep(cells[c], file.elements[e], elements);
               else
                 divide(cells[c], file.elements[e], elements);
@@ -250,7 +250,7 @@ namespace Signorini
             group.elements = members;
           }
         // While there are the elements.
-        const std::vector<std::string> notes = to_tetrahedra ? report.warnings() : report.notes();
+        const std::vector<std::string> notes = to_simplices ? report.warnings() : report.notes();
         file.elements                        = std::move(elements);
         return notes;
       }
@@ -406,7 +406,7 @@ namespace Signorini
       MeshFile          &file;
       const unsigned int dim;
       const ChosenCells &chosen;
-      const bool         to_tetrahedra;
+      const bool         to_simplices;
       Centers            centers;
       ShapeReport        report;
 
@@ -440,9 +440,9 @@ namespace Signorini
 
 
   std::vector<std::string>
-  cut_into_tetrahedra(MeshFile                        &file,
-                      const std::vector<unsigned int> &cells,
-                      const bool                       mid_side_nodes)
+  cut_into_simplices(MeshFile                        &file,
+                     const std::vector<unsigned int> &cells,
+                     const bool                       mid_side_nodes)
   {
     const ChosenCells chosen(file, cells);
     file.first_inserted = file.nodes.size();

@@ -19,7 +19,7 @@ namespace Signorini
   /// @param centers the nodes of second order
   /// @return the tetrahedra, with type and number of the cell
   std::vector<MeshFile::Element>
-  tetrahedra_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers);
+  simplices_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers);
 
   /// @return the two triangles into which this rule divides a quadrilateral.
   /// @param around its corners, in cyclic order

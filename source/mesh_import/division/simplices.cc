@@ -128,7 +128,7 @@ namespace Signorini
 
 
   std::vector<MeshFile::Element>
-  tetrahedra_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers)
+  simplices_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers)
   {
     if (cell.shape == MeshFile::Shape::tetrahedron)
       return {cell};
