@@ -68,13 +68,16 @@ namespace Signorini
   std::vector<std::string>
   divide_cells(MeshFile &file, unsigned int dim, const std::string &part, bool mid_side_nodes);
 
-  /// Cut the pyramids, wedges and hexahedra among some cells into tetrahedra, see simplices_of().
-  /// Throws SceneError as divide_cells().
-  /// @param cells numbers of the elements
+  /// Cut the quadrilaterals, pyramids, wedges and hexahedra among some cells into triangles or
+  /// tetrahedra, see simplices_of(). Throws SceneError as divide_cells().
+  /// @param cells numbers of the elements, all of dimension `dim`
   /// @param mid_side_nodes see divide_cells()
   /// @return messages for the user: what was cut, and a warning about nearly flat cells
   std::vector<std::string>
-  cut_into_simplices(MeshFile &file, const std::vector<unsigned int> &cells, bool mid_side_nodes);
+  cut_into_simplices(MeshFile                        &file,
+                     unsigned int                     dim,
+                     const std::vector<unsigned int> &cells,
+                     bool                             mid_side_nodes);
 
   /// Creates the sets of nodes, faces and elements that a scene defines by their numbers in a mesh
   /// file:

@@ -155,8 +155,19 @@ namespace Signorini
   Centers::complete_node_sets()
   {
     std::vector<bool> contains;
-    // The nodes are in the order in which they were made. A node is added to a set if all corners
-    // around it are in the set; these are nodes of the file.
+    // Whether the file has a node between two corners that is not in the set, so that what is
+    // around them is not a part of it.
+    const auto is_left_out = [&](const unsigned int a, const unsigned int b) {
+      const auto found = nodes.find(key({a, b}));
+      return found != nodes.end() && found->second < n_in_file && !contains[found->second];
+    };
+    const auto is_within = [&](const std::array<unsigned int, 8> &corners) {
+      for (const unsigned int a : corners)
+        for (const unsigned int b : corners)
+          if (!contains[a] || is_left_out(a, b))
+            return false;
+      return true;
+    };
     for (MeshFile::Group &group : file.groups)
       {
         if (group.nodes.empty())
@@ -165,9 +176,7 @@ namespace Signorini
         for (const unsigned int node : group.nodes)
           contains[node] = true;
         for (const auto &[node, corners] : inserted_nodes)
-          if (!contains[node] && std::all_of(corners.begin(), corners.end(), [&](const unsigned c) {
-                return contains[c];
-              }))
+          if (node >= n_in_file && is_within(corners))
             {
               contains[node] = true;
               group.nodes.push_back(node);

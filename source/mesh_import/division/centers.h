@@ -61,7 +61,7 @@ namespace Signorini
     unsigned int
     of_cell(const MeshFile::Nodes &corners, const dealii::Point<3> &place);
 
-    /// Add the created nodes to all node sets of the file that contain all corners around them.
+    /// Add the created nodes to all node sets of the file that contain all its nodes around them.
     void
     complete_node_sets();
 

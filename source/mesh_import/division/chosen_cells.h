@@ -18,7 +18,7 @@ namespace Signorini
   {
     /// For each element of the file whether it is divided.
     std::vector<bool> all;
-    /// For each element of the file whether it is divided into tetrahedra first.
+    /// For each element of the file whether it is divided into triangles or tetrahedra first.
     std::vector<bool> as_simplices;
     /// Whether any element is not a quadrilateral or hexahedron, i.e. whether anything has to be
     /// done.
@@ -30,7 +30,7 @@ namespace Signorini
     /// @param part the group whose cells are considered; empty: all cells
     ChosenCells(const MeshFile &file, unsigned int dim, const std::string &part);
 
-    /// Choose all of some elements, to be divided into tetrahedra.
+    /// Choose all of some elements, to be divided into triangles or tetrahedra.
     ChosenCells(const MeshFile &file, const std::vector<unsigned int> &cells);
   };
 } // namespace Signorini

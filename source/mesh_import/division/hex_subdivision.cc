@@ -5,6 +5,7 @@
 #include "mesh_import/division/chosen_cells.h"
 #include "mesh_import/division/subdivisions.h"
 #include "mesh_import/import_steps.h"
+#include <signorini/mesh/generator.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace Signorini
     using Nodes = MeshFile::Nodes;
 
     /// Midpoint subdivision of the chosen elements of a file, see divide_cells(), or only their
-    /// division into tetrahedra, see cut_into_simplices(). Cost: linear in the number of elements,
+    /// division into simplices, see cut_into_simplices(). Cost: linear in the number of elements,
     /// by hash tables of edges and faces.
     class HexSubdivision
     {
@@ -196,7 +197,8 @@ namespace Signorini
               counts.push_back(counted(n, name));
           }
         if (to_simplices)
-          return join(counts) + " cut into " + std::to_string(cells.size()) + " tetrahedra";
+          return join(counts) + " cut into " + std::to_string(cells.size()) + " " +
+                 word_of_cells(dim, true);
         // Each cell has as many children as corners.
         for (const MeshFile::Element &cell : cells)
           n_children += n_corners(cell.shape);
@@ -255,7 +257,7 @@ namespace Signorini
         return notes;
       }
 
-      /// Append a tetrahedron to the list of elements, and record of which faces of the file its
+      /// Append a simplex to the list of elements, and record of which faces of the file its
       /// faces at the boundary are parts.
       void
       keep(const MeshFile::Element        &cell,
@@ -441,11 +443,12 @@ namespace Signorini
 
   std::vector<std::string>
   cut_into_simplices(MeshFile                        &file,
+                     const unsigned int               dim,
                      const std::vector<unsigned int> &cells,
                      const bool                       mid_side_nodes)
   {
     const ChosenCells chosen(file, cells);
     file.first_inserted = file.nodes.size();
-    return HexSubdivision(file, 3, chosen, true).divide(mid_side_nodes);
+    return HexSubdivision(file, dim, chosen, true).divide(mid_side_nodes);
   }
 } // namespace Signorini

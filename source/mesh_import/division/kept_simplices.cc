@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "mesh_import/cells.h"
 #include "mesh_import/division/subdivisions.h"
 
 #include <algorithm>
@@ -11,11 +12,11 @@ namespace Signorini
     const auto is_of_first_order = [&](const unsigned int c) {
       return file.elements[c].nodes.size() == n_corners(file.elements[c].shape);
     };
-    const auto is_hexahedron = [&](const unsigned int c) {
-      return file.elements[c].shape == MeshFile::Shape::hexahedron;
+    const auto is_hypercube = [&](const unsigned int c) {
+      return file.elements[c].shape == cell_shape<2> || file.elements[c].shape == cell_shape<3>;
     };
     return std::none_of(cells.begin(), cells.end(), is_of_first_order) &&
-           !std::all_of(cells.begin(), cells.end(), is_hexahedron);
+           !std::all_of(cells.begin(), cells.end(), is_hypercube);
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "mesh_import/cells.h"
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/subdivisions.h"
 
@@ -12,7 +13,8 @@ namespace Signorini
   {
     using Nodes = MeshFile::Nodes;
 
-    /// A cell that is divided into tetrahedra. Its corners are numbered locally ("places" 0, 1,
+    /// A cell that is divided into triangles or tetrahedra. Its corners are numbered locally
+    /// ("places" 0, 1,
     /// ...).
     class Cell
     {
@@ -24,17 +26,20 @@ namespace Signorini
         , centers(centers)
       {}
 
-      /// @return the tetrahedra: cones from the corner with the lowest node number over the
-      /// triangles of all faces that do not contain it.
+      /// @return the triangles or tetrahedra: cones from the corner with the lowest node number
+      /// over the edges, or the triangles of the faces, that do not contain it.
       std::vector<MeshFile::Element>
-      tetrahedra()
+      simplices()
       {
         const unsigned int             lowest = place_of_lowest(corners_of(element));
         std::vector<MeshFile::Element> result;
         for (const Nodes &face : shape.faces)
           if (std::find(face.begin(), face.end(), lowest) == face.end())
-            for (const Nodes &triangle : divided(face))
-              result.push_back(tetrahedron({triangle[0], triangle[1], triangle[2], lowest}));
+            for (Nodes places : divided(face))
+              {
+                places.push_back(lowest);
+                result.push_back(simplex(places));
+              }
         return result;
       }
 
@@ -46,12 +51,12 @@ namespace Signorini
         return std::min_element(nodes.begin(), nodes.end()) - nodes.begin();
       }
 
-      /// @return the triangles of a face, as local corners. A quadrilateral is cut by the diagonal
-      /// from its lowest node number, on which both cells at the face agree.
+      /// @return the edge, or the triangles of a face, as local corners. A quadrilateral is cut by
+      /// the diagonal from its lowest node number, on which both cells at the face agree.
       std::vector<Nodes>
       divided(const Nodes &face) const
       {
-        if (face.size() == 3)
+        if (face.size() < 4)
           return {face};
         Nodes nodes;
         for (const unsigned int corner : face)
@@ -61,14 +66,17 @@ namespace Signorini
                 {face[i], face[(i + 2) % 4], face[(i + 3) % 4]}};
       }
 
-      /// @return the tetrahedron of four local corners, oriented positively; with ten nodes if the
-      /// cell is of second order.
+      /// @return the triangle or tetrahedron of three or four local corners, oriented positively;
+      /// of second order if the cell is.
       MeshFile::Element
-      tetrahedron(Nodes places)
+      simplex(Nodes places)
       {
         if (shape.orientation(places) < 0)
           std::swap(places[0], places[1]);
-        MeshFile::Element result{MeshFile::Shape::tetrahedron, element.type, element.number, {}};
+        MeshFile::Element result{shape.dim == 2 ? simplex_shape<2> : simplex_shape<3>,
+                                 element.type,
+                                 element.number,
+                                 {}};
         for (const unsigned int place : places)
           result.nodes.push_back(element.nodes[place]);
         if (element.nodes.size() > shape.n_corners)
@@ -94,13 +102,13 @@ namespace Signorini
                 around.push_back(element.nodes[corner]);
               return centers.of_diagonal(around, from, to);
             }
-        // The parts of this tetrahedron, if it is divided further, find it by the same two corners.
+        // The parts of this simplex, if it is divided further, find it by the same two corners.
         centers.set_middle(from, to, center());
         return center();
       }
 
-      /// @return the node at the centre of a hexahedron. All tetrahedra around its inner diagonal
-      /// share it.
+      /// @return the node at the centre of a cell. All simplices around its inner diagonal share
+      /// it.
       unsigned int
       center()
       {
@@ -130,9 +138,9 @@ namespace Signorini
   std::vector<MeshFile::Element>
   simplices_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers)
   {
-    if (cell.shape == MeshFile::Shape::tetrahedron)
+    if (cell.shape == simplex_shape<2> || cell.shape == simplex_shape<3>)
       return {cell};
-    return Cell(cell, file, centers).tetrahedra();
+    return Cell(cell, file, centers).simplices();
   }
 
 

@@ -6,18 +6,18 @@
 
 namespace Signorini
 {
-  /// Divide a pyramid, wedge or hexahedron into two, three or six tetrahedra, of second order if
-  /// the cell is.
+  /// Divide a quadrilateral into two triangles, or a pyramid, wedge or hexahedron into two, three
+  /// or six tetrahedra, of second order if the cell is.
   ///
   /// Each face is divided by the diagonal at its corner with the lowest node number, so that
-  /// neighbours agree; the tetrahedra are cones from the lowest corner of the cell over the
-  /// triangles of the faces that do not contain it (J. Dompierre, P. Labbé, M.-G. Vallet, R.
-  /// Camarero: How to subdivide pyramids, prisms, and hexahedra into tetrahedra, 8th International
-  /// Meshing Roundtable 1999).
-  /// @param cell the element; a tetrahedron is returned unchanged
+  /// neighbours agree; the simplices are cones from the lowest corner of the cell over the
+  /// triangles of the faces (in the plane the edges) that do not contain it (J. Dompierre, P.
+  /// Labbé, M.-G. Vallet, R. Camarero: How to subdivide pyramids, prisms, and hexahedra into
+  /// tetrahedra, 8th International Meshing Roundtable 1999).
+  /// @param cell the element; a triangle or tetrahedron is returned unchanged
   /// @param file the mesh, to which nodes of second order may be appended
   /// @param centers the nodes of second order
-  /// @return the tetrahedra, with type and number of the cell
+  /// @return the simplices, with type and number of the cell
   std::vector<MeshFile::Element>
   simplices_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers);
 
@@ -26,8 +26,9 @@ namespace Signorini
   std::vector<MeshFile::Nodes>
   triangles_of(const MeshFile::Nodes &around);
 
-  /// @return whether cells, not only tetrahedra, become tetrahedra of second order with the nodes
-  /// that they have, and few more: all have nodes of second order, and not all are hexahedra.
+  /// @return whether cells, not only simplices, become triangles or tetrahedra of second order with
+  /// the nodes that they have, and few more: all have nodes of second order, and not all are
+  /// quadrilaterals or hexahedra.
   /// @param file the mesh
   /// @param cells numbers of elements
   bool
