@@ -313,10 +313,12 @@ namespace Signorini
           continue;
         // Names of sets have the form BODY.SET. A set without nodes counts as unknown.
         NodeSet<dim> nodes = generators[body]->node_set(name.substr(start.size()));
-        for (auto &places : nodes)
+        for (auto &places : nodes.nodes)
           for (NodeLocation<dim> &place : places)
             place.cell = coarse_ids[first_cells[body] + place.cell];
-        if (!nodes.empty())
+        for (NodeLocation<dim> &place : nodes.left_out)
+          place.cell = coarse_ids[first_cells[body] + place.cell];
+        if (!nodes.nodes.empty())
           return nodes;
       }
     throw SceneError("there is no set of nodes '" + name + "'; " +

@@ -109,11 +109,24 @@ namespace Signorini
 
 
 
-  /// @return the vertices between which a node lies, sorted; none if it is not in the middle of
-  /// any.
+  /// @return the vertices between which a node lies, sorted.
   template <int dim>
-  std::optional<MeshFile::Nodes>
-  FileNodes<dim>::vertices_around(const unsigned int node) const
+  MeshFile::Nodes
+  FileNodes<dim>::vertices_around(const Middle &middle) const
+  {
+    Nodes result;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (middle.vertices & (1u << v))
+        result.push_back(vertices[middle.cell * n_vertices + v]);
+    return sorted(result);
+  }
+
+
+
+  /// @return a node in the middle of vertices; none if it is a vertex.
+  template <int dim>
+  const typename FileNodes<dim>::Middle *
+  FileNodes<dim>::middle_at(const unsigned int node) const
   {
     const auto found = std::lower_bound(middles.begin(),
                                         middles.end(),
@@ -121,13 +134,7 @@ namespace Signorini
                                         [](const Middle &middle, const unsigned int wanted) {
                                           return middle.node < wanted;
                                         });
-    if (found == middles.end() || found->node != node)
-      return {};
-    Nodes result;
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      if (found->vertices & (1u << v))
-        result.push_back(vertices[found->cell * n_vertices + v]);
-    return sorted(result);
+    return found != middles.end() && found->node == node ? &*found : nullptr;
   }
 
 
@@ -180,17 +187,31 @@ namespace Signorini
     std::map<Nodes, unsigned int>        at_middle;
     std::set<unsigned int>               near_middle;
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      if (const auto around = vertices_around(nodes[i]))
+      if (const Middle *middle = middle_at(nodes[i]))
         {
-          at_middle[*around] = i;
-          near_middle.insert(around->begin(), around->end());
+          const Nodes around = vertices_around(*middle);
+          at_middle[around]  = i;
+          near_middle.insert(around.begin(), around.end());
         }
       else
         at_corner[nodes[i]] = i;
 
-    NodeSet<dim> result(nodes.size());
-    if (vertices.empty())
-      return {};
+    NodeSet<dim> result;
+    if (nodes.empty() || vertices.empty())
+      return result;
+    // Middles that are not in the set, although all corners around them are.
+    std::set<Nodes> left_out;
+    for (const Middle &middle : middles)
+      if (const Nodes around = vertices_around(middle);
+          at_middle.count(around) == 0 &&
+          std::all_of(around.begin(), around.end(), [&](const unsigned int node) {
+            return at_corner.count(node) > 0;
+          }))
+        {
+          left_out.insert(around);
+          near_middle.insert(around.begin(), around.end());
+        }
+    result.nodes.resize(nodes.size());
     const ReferenceCell      reference       = ReferenceCell::n_vertices_to_type(dim, n_vertices);
     const std::vector<Nodes> edges_and_faces = objects(reference);
     for (unsigned int c = 0; c < vertices.size() / n_vertices; ++c)
@@ -198,7 +219,7 @@ namespace Signorini
         const unsigned int *const corners = &vertices[c * n_vertices];
         for (unsigned int v = 0; v < n_vertices; ++v)
           if (const auto found = at_corner.find(corners[v]); found != at_corner.end())
-            result[found->second].push_back(
+            result.nodes[found->second].push_back(
               {c, reference.vertex<dim>(v), corners[v] >= first_inserted});
         // A cell is searched for middles only if at least two of its corners surround one.
         const auto n_near =
@@ -211,14 +232,18 @@ namespace Signorini
               Nodes of_object;
               for (const unsigned int v : object)
                 of_object.push_back(corners[v]);
-              if (const auto found = at_middle.find(sorted(of_object)); found != at_middle.end())
-                result[found->second].push_back({c, middle_of<dim>(reference, object)});
+              std::sort(of_object.begin(), of_object.end());
+              const NodeLocation<dim> place{c, middle_of<dim>(reference, object)};
+              if (const auto found = at_middle.find(of_object); found != at_middle.end())
+                result.nodes[found->second].push_back(place);
+              else if (left_out.count(of_object) > 0)
+                result.left_out.push_back(place);
             }
       }
-    result.erase(std::remove_if(result.begin(),
-                                result.end(),
-                                [](const auto &places) { return places.empty(); }),
-                 result.end());
+    result.nodes.erase(std::remove_if(result.nodes.begin(),
+                                      result.nodes.end(),
+                                      [](const auto &places) { return places.empty(); }),
+                       result.nodes.end());
     return result;
   }
 

@@ -4,8 +4,6 @@
 #include "mesh_import/mesh_file.h"
 #include <signorini/geometry/coarse_mesh.h>
 
-#include <optional>
-
 namespace Signorini
 {
   /// The nodes of a mesh file as points of the cells of a body, and their named sets. Mid-side
@@ -59,7 +57,9 @@ namespace Signorini
     std::map<std::string, std::unordered_map<std::size_t, unsigned int>> numbers;
     Nodes
     nodes_called(const std::string &name) const;
-    std::optional<Nodes>
-    vertices_around(unsigned int node) const;
+    const Middle *
+    middle_at(unsigned int node) const;
+    Nodes
+    vertices_around(const Middle &middle) const;
   };
 } // namespace Signorini

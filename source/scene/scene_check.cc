@@ -53,7 +53,7 @@ namespace Signorini
     {
       for (const Body<dim> &body : bodies)
         if (const std::string start = body.name + "."; name.compare(0, start.size(), start) == 0)
-          return !body.mesh.generator->node_set(name.substr(start.size())).empty();
+          return !body.mesh.generator->node_set(name.substr(start.size())).nodes.empty();
       return false;
     }
 

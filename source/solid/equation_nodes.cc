@@ -67,7 +67,7 @@ namespace Signorini
         for (const auto &term : equation)
           if (numbers.insert({term.node, names.size()}).second)
             {
-              const NodeSet<dim> found = mesh.node_set(term.node);
+              const auto found = mesh.node_set(term.node).nodes;
               if (found.size() != 1)
                 throw SceneError(set.place + ": '" + term.node + "' is not one node, but " +
                                  std::to_string(found.size()));

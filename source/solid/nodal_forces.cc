@@ -50,7 +50,7 @@ namespace Signorini
     };
     std::set<NodeLocation<dim>, decltype(precedes)> nodes(precedes);
     for (const std::string &set : sets)
-      for (const auto &places : mesh.node_set(set))
+      for (const auto &places : mesh.node_set(set).nodes)
         // Nodes inserted by the subdivision of cells are left out.
         if (!places.at(0).is_inserted)
           nodes.insert(places.at(0));

@@ -37,14 +37,16 @@ namespace Signorini
   template <int dim>
   ListedNodes<dim>::ListedNodes(const Mesh<dim> &mesh, const NodeSet<dim> &nodes)
     : mesh(mesh)
-    , is_there(nodes.size(), 0)
+    , is_there(nodes.nodes.size(), 0)
   {
-    for (unsigned int n = 0; n < nodes.size(); ++n)
-      for (const NodeLocation<dim> &place : nodes[n])
+    for (unsigned int n = 0; n < nodes.nodes.size(); ++n)
+      for (const NodeLocation<dim> &place : nodes.nodes[n])
         by_cell[place.cell].push_back({place.unit, n});
+    for (const NodeLocation<dim> &place : nodes.left_out)
+      left_out[place.cell].push_back(place.unit);
     for (const auto &[cell, listed] : by_cell)
       for (const Listed &one : listed)
-        if (has_corners_around(mesh.reference_cell_of(cell), listed, one.unit))
+        if (has_all_around(cell, one.unit))
           is_there[one.node] = 1;
   }
 
@@ -69,35 +71,43 @@ namespace Signorini
   bool
   ListedNodes<dim>::contains(const CellId &cell, const Point<dim> &unit)
   {
-    const Point<dim>           x      = in_coarse_cell(cell, unit);
-    const std::vector<Listed> &listed = by_cell.at(cell.get_coarse_cell_id());
-    for (const Listed &one : listed)
+    const Point<dim> x = in_coarse_cell(cell, unit);
+    for (const Listed &one : by_cell.at(cell.get_coarse_cell_id()))
       if (are_same(one.unit, x))
         {
           is_there[one.node] = 1;
           return true;
         }
-    return has_corners_around(mesh.reference_cell_of(cell.get_coarse_cell_id()), listed, x);
+    return has_all_around(cell.get_coarse_cell_id(), x);
   }
 
 
 
-  // True if all corners of the vertex, edge, face or cell of the coarse cell in whose interior the
-  // point lies are in the set.
+  // The vertex, edge, face or cell in whose interior the point lies has the corners whose linear
+  // functions do not vanish there.
   template <int dim>
   bool
-  ListedNodes<dim>::has_corners_around(const ReferenceCell       &cell,
-                                       const std::vector<Listed> &listed,
-                                       const Point<dim>          &unit) const
+  ListedNodes<dim>::has_all_around(const unsigned int coarse_cell, const Point<dim> &unit) const
   {
-    for (const unsigned int v : cell.vertex_indices())
-      // A corner belongs to that entity if its linear function does not vanish at the point.
-      if (cell.d_linear_shape_function(unit, v) > 1e-10 &&
-          std::none_of(listed.begin(), listed.end(), [&](const Listed &one) {
+    const ReferenceCell        cell      = mesh.reference_cell_of(coarse_cell);
+    const std::vector<Listed> &listed    = by_cell.at(coarse_cell);
+    const auto                 is_around = [&](const unsigned int v, const Point<dim> &x) {
+      return cell.d_linear_shape_function(x, v) > 1e-10;
+    };
+    const auto vertices = cell.vertex_indices();
+    for (const unsigned int v : vertices)
+      if (is_around(v, unit) && std::none_of(listed.begin(), listed.end(), [&](const Listed &one) {
             return are_same(one.unit, cell.vertex<dim>(v));
           }))
         return false;
-    return true;
+    // No node that the set leaves out may lie there, or on its boundary.
+    const auto others = left_out.find(coarse_cell);
+    return others == left_out.end() ||
+           std::none_of(others->second.begin(), others->second.end(), [&](const Point<dim> &x) {
+             return std::all_of(vertices.begin(), vertices.end(), [&](const unsigned int v) {
+               return !is_around(v, x) || is_around(v, unit);
+             });
+           });
   }
 
 

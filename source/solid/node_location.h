@@ -9,7 +9,8 @@
 namespace Signorini
 {
   /// The part of the mesh that a set of coarse nodes stands for: the nodes themselves, and the
-  /// edges, faces and cells all of whose corners are in the set, however they are refined.
+  /// edges, faces and cells all of whose nodes in the file are in the set, however they are
+  /// refined.
   template <int dim>
   class ListedNodes
   {
@@ -42,16 +43,16 @@ namespace Signorini
       unsigned int       node;
     };
 
-    /// True if all corners of the edge, face or cell inside of which the point lies are in the set.
+    /// True if all nodes of the edge, face or cell inside of which the point lies are in the set.
     bool
-    has_corners_around(const dealii::ReferenceCell &cell,
-                       const std::vector<Listed>   &listed,
-                       const dealii::Point<dim>    &unit) const;
+    has_all_around(unsigned int coarse_cell, const dealii::Point<dim> &unit) const;
 
     const Mesh<dim> &mesh;
 
     /// The nodes of the set by the coarse cells that have them.
     std::map<unsigned int, std::vector<Listed>> by_cell;
+    /// Nodes that are not in the set, see NodeSet::left_out, by coarse cells.
+    std::map<unsigned int, std::vector<dealii::Point<dim>>> left_out;
     /// Flags of the nodes of the set: 1 if the node has been found to exist in the mesh on this
     /// rank.
     std::vector<unsigned int> is_there;

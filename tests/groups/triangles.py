@@ -3,9 +3,9 @@
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from case import SCENES, Case, method, number
+from case import SCENES, Case, force_of, method, number
 from convergence import rate_of
 from patch import EXACT, SWAPPED, uniform
 
@@ -23,24 +23,29 @@ class Grid:
     at: callable  # of a point in [0, 1]^2
     order: int = 2
     names: tuple = ("left", "right", "bottom", "top")
+    is_mixed: bool = False  # quadrilaterals in place of pairs of triangles, in turn
 
     def text(self):
-        m, numbers, elements = self.order, {}, []
+        m, numbers = self.order, {}
+        kinds = {6: "CPE6", 8: "CPE8"} if m == 2 else {3: "CPE3", 4: "CPE4"}
+        elements = {n_nodes: [] for n_nodes in kinds}
         for j in range(self.ny):
             for i in range(self.nx):
                 a, b, c, d = ((m * (i + x), m * (j + y)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
-                for corners in ((a, b, c), (a, c, d)) if (i + j) % 2 == 0 else ((a, b, d), (b, c, d)):
+                triangles = ((a, b, c), (a, c, d)) if (i + j) % 2 == 0 else ((a, b, d), (b, c, d))
+                for corners in [(a, b, c, d)] if self.is_mixed and (i + 2 * j) % 3 else triangles:
                     nodes = list(corners)
                     if m == 2:
                         nodes += [tuple((p[k] + q[k]) // 2 for k in (0, 1))
                                   for p, q in zip(corners, corners[1:] + corners[:1])]
-                    elements.append([numbers.setdefault(node, len(numbers) + 1) for node in nodes])
+                    elements[len(nodes)].append([numbers.setdefault(node, len(numbers) + 1) for node in nodes])
         lines = ["*NODE"]
         for (i, j), number in numbers.items():
             x, y = self.at(i / m / self.nx, j / m / self.ny)
             lines.append(f"{number}, {x!r}, {y!r}")
-        lines.append(f"*ELEMENT, TYPE={'CPE3' if m == 1 else 'CPE6'}, ELSET=ALL")
-        lines += [f"{e + 1}, " + ", ".join(map(str, nodes)) for e, nodes in enumerate(elements)]
+        for n_nodes, members in elements.items():
+            lines += [f"*ELEMENT, TYPE={kinds[n_nodes]}, ELSET=ALL"] if members else []
+            lines += [f"{100000 * n_nodes + e}, " + ", ".join(map(str, nodes)) for e, nodes in enumerate(members)]
         for name, (axis, end) in zip(self.names, ((0, 0), (0, m * self.nx), (1, 0), (1, m * self.ny))):
             lines += [f"*NSET, NSET={name}"] + [f"{number}," for node, number in numbers.items() if node[axis] == end]
         return "\n".join(lines) + "\n"
@@ -100,6 +105,43 @@ def patch(order, bodies, sets, ranks, penetrates=False):
         scene = with_triangles(test, SCENES / "patch-2d.prm", order, bodies=bodies)
         uniform(scene.resolve().with_suffix(""), sets, EXACT["patch-2d"], penetrates=penetrates, exact=1e-4 if penetrates else 1e-6, ranks=ranks)(test)
     return body
+
+
+def mixed(test):
+    """Triangles and quadrilaterals of second order become triangles with the nodes of the file and the centres of the
+    quadrilaterals: the patch test, and the number of unknowns."""
+    def grid(keys, order, factor):
+        return replace(box(keys, order, factor), is_mixed=True) if "set Corners" in keys else None
+    for i, (name, sets) in enumerate(METHODS.items()):
+        scene = with_triangles(test, SCENES / "patch-2d.prm", 2, grid_of=grid)
+        uniform(scene.resolve().with_suffix(""), sets, EXACT["patch-2d"], penetrates=name == "penalty",
+                exact=1e-4 if name == "penalty" else 1e-6, ranks=1 + i % 2)(test)
+    meshes = "".join(file.read_text() for file in test.directory.glob("*.inp"))
+    n_points = len(re.findall(r"^\d+(, [^,\n]+){2}$", meshes, re.M)) + len(re.findall(r"^8000\d\d,", meshes, re.M))
+    found = test.results(scene, [])["dofs"]
+    test.check(found == 2 * n_points, f"{found} unknowns instead of {2 * n_points}")
+
+
+def corner_sets(test):
+    """A support at the corners of cells holds these nodes alone, not those of the file between them."""
+    scene = with_triangles(test, SCENES / "patch-2d.prm", 2)
+    file = next(test.directory.glob("*-lower.inp"))
+    nodes = {number: (float(x), float(y)) for number, x, y in re.findall(r"^(\d+), (\S+), (\S+)$", file.read_text(), re.M)}
+    elements = re.findall(r"^\d+(?:, \d+){6}$", file.read_text(), re.M)
+    corners = {word.strip() for line in elements for word in line.split(",")[1:4]}
+    bottom = [number for number in nodes if nodes[number][1] == min(y for _, y in nodes.values())]
+    chosen = [number for number in bottom if number in corners]
+    test.check(1 < len(chosen) < len(bottom), f"{len(chosen)} of {len(bottom)} nodes")
+    with file.open("a") as out:
+        out.write("*NSET, NSET=corners\n" + ",\n".join(chosen) + "\n*NSET, NSET=all of bottom\n" + ",\n".join(bottom) + "\n")
+    support = re.search(r"set Boundaries *= lower.bottom\n", scene.read_text())[0]
+    forces = []
+    for held in ("lower.corners", ", ".join(f"lower.{number}" for number in chosen), "lower.all of bottom", None):
+        changed = scene if held is None else test.write("held.prm", scene.read_text().replace(support, f"set Nodes = {held}\n"))
+        forces.append(force_of(test.results(changed, ["Newton/Tolerance=1e-12", f"Title={len(forces)}"]), "interface"))
+    test.print(f"forces {forces}")
+    test.check(abs(forces[0] / forces[1] - 1) <= 1e-9 < 1e-3 < abs(forces[0] / forces[3] - 1), f"{forces}")
+    test.check(abs(forces[2] / forces[3] - 1) <= 1e-9, f"{forces}")
 
 
 def converges(model, sizes, quantity, least, last_error=math.inf, reference=None, sets=()):
@@ -181,6 +223,8 @@ def scenes_with_triangles():
             ranks = 1 + (i + order) % 2
             yield Case("triangles/scenes", f"{scene}/order-{order}", same_expected(
                 lambda test, scene=scene, order=order: with_triangles(test, SCENES / f"{scene}.prm", order), ranks), ranks)
+    yield Case("triangles/mixed", "patch", mixed, ranks=2)
+    yield Case("triangles/sets", "corners", corner_sets)
     yield Case("triangles/refusals", "refusals", refusals)
 
 

@@ -178,20 +178,20 @@ TEST_CASE("pieces are parts; those that touch need a pair; faces have several na
   const auto upper = generator<2>("file", {{"File", test_mesh("pieces.inp")}, {"Part", "piece2"}});
   CHECK(upper->needs_pair().empty());
   CHECK(upper->generate().cells.size() == 2);
-  CHECK(upper->node_set("Nbase").empty());
-  CHECK(upper->node_set("Nends").size() == 2);
+  CHECK(upper->node_set("Nbase").nodes.empty());
+  CHECK(upper->node_set("Nends").nodes.size() == 2);
   // A node in the middle of an edge has the place of the middle; the middle one is in two cells.
-  const NodeSet<2> middles = upper->node_set("Nmiddles");
+  const auto middles = upper->node_set("Nmiddles").nodes;
   REQUIRE(middles.size() == 2);
   CHECK(middles[0].size() == 1);
   const Point<2> unit = middles[0][0].unit;
   CHECK(std::min({std::abs(unit[0] - 0.5), std::abs(unit[1] - 0.5)}) == 0);
   bool found = false;
   for (unsigned int n = 1; n < 30; ++n)
-    found |= upper->node_set(std::to_string(n)).size() == 1 &&
-             upper->node_set(std::to_string(n))[0].size() == 2;
+    found |= upper->node_set(std::to_string(n)).nodes.size() == 1 &&
+             upper->node_set(std::to_string(n)).nodes[0].size() == 2;
   CHECK(found);
-  CHECK(upper->node_set("99").empty());
+  CHECK(upper->node_set("99").nodes.empty());
 }
 
 
@@ -532,7 +532,7 @@ namespace
     for (const auto &load : scene.loads)
       {
         for (const std::string &set : load.nodes.sets)
-          result += generator.node_set(in_body(set)).size() * load.force.value({}, t)[2];
+          result += generator.node_set(in_body(set)).nodes.size() * load.force.value({}, t)[2];
         for (const std::string &body : load.bodies)
           result += (body == scene.bodies[0].name ? 2 : generator.cell_set(in_body(body)).size()) *
                     load.body_force.value({}, t)[2];
@@ -636,8 +636,9 @@ TEST_CASE("import: supports of later steps replace, begin and end")
       for (const auto &support : scene.supports)
         if (support.acts(t) && !support.displacement.prescribed(0))
           for (const std::string &set : support.nodes.sets)
-            sum += scene.bodies[0].mesh.generator->node_set(set.substr(set.find('.') + 1)).size() *
-                   support.displacement.value({}, t)[2];
+            sum +=
+              scene.bodies[0].mesh.generator->node_set(set.substr(set.find('.') + 1)).nodes.size() *
+              support.displacement.value({}, t)[2];
       return sum;
     };
     for (const auto &[t, sum] :
@@ -652,7 +653,7 @@ TEST_CASE("import: supports of later steps replace, begin and end")
     for (unsigned int d = 0; d < 3; ++d)
       if (support.acts(1) && support.displacement.prescribed(d))
         for (const std::string &set : support.nodes.sets)
-          n += scene.bodies[0].mesh.generator->node_set(set.substr(set.find('.') + 1)).size();
+          n += scene.bodies[0].mesh.generator->node_set(set.substr(set.find('.') + 1)).nodes.size();
   CHECK(n == 3 + 2 + 1);
 }
 

@@ -25,9 +25,15 @@ namespace Signorini
     bool is_inserted = false;
   };
 
-  /// The nodes of a set, each with its positions in all coarse cells that have it.
+  /// A set of nodes.
   template <int dim>
-  using NodeSet = std::vector<std::vector<NodeLocation<dim>>>;
+  struct NodeSet
+  {
+    /// The nodes, each with its positions in all coarse cells that have it.
+    std::vector<std::vector<NodeLocation<dim>>> nodes;
+    /// The positions of nodes that are not in the set although all corners around them are.
+    std::vector<NodeLocation<dim>> left_out;
+  };
 
   /// A facet of a coarse mesh that approximates a curved surface.
   struct FacetHeight
