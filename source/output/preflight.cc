@@ -3,6 +3,8 @@
 
 #include "contact/search/face_patches.h"
 #include "geometry/cell_rule.h"
+#include "geometry/face_parameter.h"
+#include "geometry/lagrange.h"
 #include "matrix_free/make_stiffness.h"
 #include <signorini/parameters/raw.h>
 
@@ -82,12 +84,21 @@ namespace Signorini
             for (unsigned int d = 0; d < dim; ++d)
               moment[dim * i + d] += weight * x[d];
           }
-        const auto &[from, to] = patch.box().get_boundary_points();
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            low[dim * i + d]  = std::min(low[dim * i + d], from[d]);
-            high[dim * i + d] = std::max(high[dim * i + d], to[d]);
-          }
+        // The box of the patch itself is inflated where the face is curved.
+        const unsigned int n = patch.get_degree() == 1 ? 1 : max_degree;
+        for (unsigned int k = 0; k < (dim == 2 ? 1 : n + 1); ++k)
+          for (unsigned int j = 0; j <= n - (is_triangle(patch.reference_cell()) ? k : 0); ++j)
+            {
+              Point<dim - 1> xi;
+              xi[0]              = double(j) / n;
+              xi[dim - 2]        = dim == 2 ? xi[0] : double(k) / n;
+              const Point<dim> x = patch.position(xi);
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  low[dim * i + d]  = std::min(low[dim * i + d], x[d]);
+                  high[dim * i + d] = std::max(high[dim * i + d], x[d]);
+                }
+            }
       }
 
       /// @return the properties of boundary i.

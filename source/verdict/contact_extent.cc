@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/interface/pairing.h"
+#include "contact/interface/surface_steps.h"
 #include "contact/search/boundary_faces.h"
 #include "contact/search/search.h"
+#include "contact/search/search_radius.h"
 #include "fields/point_values.h"
 #include "geometry/cell_rule.h"
 #include "verdict/pair_checks.h"
@@ -63,6 +66,53 @@ namespace Signorini
       return faces_each_other(face.normal(xi), place.normal) ? place.gap :
                                                                std::numeric_limits<double>::max();
     }
+
+    /// Set the gaps of the undeformed bodies on this rank, by a search of the master there. In an
+    /// updated geometry the gaps of the rows are those at which it was found, unless settings of
+    /// the pair refer to the undeformed bodies. Collective.
+    /// @param pressure at the points of the pair
+    template <int dim>
+    void
+    find_gaps_at_rest(const Snapshot<dim>       &s,
+                      const unsigned int         pair,
+                      const Obstacle<dim>       *obstacle,
+                      const std::vector<double> &pressure,
+                      ContactExtent             &extent)
+    {
+      const BoundaryFaces<dim> slave(Configuration<dim>(s.elasticity), s.pairs[pair].slave);
+      const auto              &points = s.surfaces[pair].points;
+      // The weights tell which points carry pressure. Points of unbiased methods that are on faces
+      // of the master are skipped.
+      std::vector<PairedPoint<dim>> paired;
+      for (std::size_t q = 0; q < points.size(); ++q)
+        if (const unsigned int face = points[q].face;
+            face < slave.rest.size() &&
+            slave.rest[face].position(points[q].xi).distance(points[q].position) <
+              1e-8 * slave.rest[face].diameter())
+          paired.push_back({face, points[q].xi, pressure[q] > 0 ? 1. : 0., {}});
+      const auto n_active = [&] {
+        return std::count_if(paired.begin(), paired.end(), [](const auto &point) {
+          return point.weight > 0;
+        });
+      };
+      const auto                before = n_active();
+      const double              radius = search_radius_of_pair(s.elasticity, s.pairs[pair], 0.);
+      const std::vector<double> gaps =
+        reference_gaps(s.elasticity, s.pairs[pair], obstacle, slave, radius, paired);
+      const ContactExtent none;
+      extent.smallest_reference_gap = none.smallest_reference_gap;
+      extent.least_reference_gap    = none.least_reference_gap;
+      // Points without a projection were farther away than the radius.
+      extent.largest_reference_gap = n_active() < before ? radius : none.largest_reference_gap;
+      for (std::size_t i = 0; i < gaps.size(); ++i)
+        {
+          extent.smallest_reference_gap = std::min(extent.smallest_reference_gap, gaps[i]);
+          if (paired[i].weight == 0)
+            continue;
+          extent.least_reference_gap   = std::min(extent.least_reference_gap, gaps[i]);
+          extent.largest_reference_gap = std::max(extent.largest_reference_gap, gaps[i]);
+        }
+    }
   } // namespace
 
 
@@ -72,7 +122,7 @@ namespace Signorini
   // penetrations have the sign of a depth.
   template <int dim>
   ContactExtent
-  contact_extent_of(const Snapshot<dim> &s, const unsigned int pair)
+  contact_extent_of(const Snapshot<dim> &s, const unsigned int pair, const Obstacle<dim> *obstacle)
   {
     ContactExtent extent;
     auto          which = s.contact.origin.pair.begin();
@@ -120,6 +170,8 @@ namespace Signorini
           extent.smallest_normal_alignment =
             std::min(extent.smallest_normal_alignment, point.normal_alignment);
       }
+    if (!s.contact.at_rest() && !needs_reference_gaps(s.pairs[pair]))
+      find_gaps_at_rest(s, pair, obstacle, values.pressure, extent);
     for (const auto &[number, face] : faces)
       if (face.touched)
         {
@@ -184,7 +236,9 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template ContactExtent contact_extent_of(const Snapshot<dim> &, unsigned int);                   \
+  template ContactExtent contact_extent_of(const Snapshot<dim> &,                                  \
+                                           unsigned int,                                           \
+                                           const Obstacle<dim> *);                                 \
   template ObstacleTip   deepest_tip(const Obstacle<dim> &,                                        \
                                      const Snapshot<dim> &,                                        \
                                      const std::string &);

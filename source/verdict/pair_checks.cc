@@ -309,7 +309,7 @@ namespace Signorini
         const ContactPair<dim>    &pair     = now.pairs[i];
         const ContactSurface<dim> &surface  = now.surfaces[i];
         const Obstacle<dim>       *obstacle = decisions.scene.obstacle_of(pair);
-        const ContactExtent        extent   = contact_extent_of(now, i);
+        const ContactExtent        extent   = contact_extent_of(now, i, obstacle);
         ObstacleTip                tip{extent.deepest, surface.face_size};
         // A rigid tip may be between the integration points of an inactive pair: search for the
         // deepest point.

@@ -14,6 +14,7 @@ namespace Signorini
     double active = 0, candidates = 0;
     /// Area and number of the faces that carry pressure.
     double touched_faces = 0, n_touched = 0;
+    /// Smallest gap of the undeformed bodies [length].
     double smallest_reference_gap = std::numeric_limits<double>::max();
     /// Smallest cosine between the slave normal and the opposite master normal where there is
     /// pressure.
@@ -22,7 +23,7 @@ namespace Signorini
     double penetration = 0;
     /// Largest overlap [length] at any integration point.
     double deepest = 0;
-    // Extreme reference gaps of active points:
+    // Extreme gaps of active points between the undeformed bodies:
     double largest_reference_gap = -std::numeric_limits<double>::max(),
            least_reference_gap   = -largest_reference_gap;
     /// Largest pressure, largest stiffness times depth (a modulus), and largest penalty.
@@ -32,9 +33,10 @@ namespace Signorini
   /// @return the extent of a pair. Collective.
   /// @param s the solution
   /// @param pair its number
+  /// @param obstacle null if the master is a boundary of a body
   template <int dim>
   ContactExtent
-  contact_extent_of(const Snapshot<dim> &s, unsigned int pair);
+  contact_extent_of(const Snapshot<dim> &s, unsigned int pair, const Obstacle<dim> *obstacle);
 
   /// The deepest penetration of an obstacle into a surface.
   struct ObstacleTip

@@ -211,6 +211,23 @@ def pulled(test):
         test.check(results["verdict"]["outcome"] == "passed", f"degree {degree}: {results['verdict']}")
 
 
+def gaps_at_rest(test):
+    """Checks of initial overlaps and of the path of friction see the undeformed bodies with any contact geometry."""
+    kinds = (["Contact method/Contact geometry=reference"], ["Contact method/Contact geometry=updated"], ["Deformation=finite"])
+
+    def checked(name, ranks, sets):
+        checks = test.results(SCENES / name, sets, ranks)["verdict"]["checks"]
+        return {(one["check"], one["where"]): one for one in checks}
+    for ranks, sets in enumerate(kinds, 1):
+        checks = checked("deep-overlap.prm", ranks, sets)
+        for pair, overlap in (("blocks", 2), ("foot", 1.6)):
+            one = checks["initial overlap / face size", f"pair {pair}"]
+            test.check(one["outcome"] == "warned" and abs(one["value"] - overlap) <= 1e-9, f"{sets}: {one}")
+    for sets in kinds[:2]:  # at finite strain the program takes two load steps
+        one = checked("hertz-2d.prm", 1, [*sets, "Contact pairs/contact/Friction=0.3"])["load steps of the path", "pair contact"]
+        test.check(one["outcome"] == "warned", f"{sets}: {one}")
+
+
 def cases():
     yield Case("moving", "first touch", first_touch)
     yield Case("moving", "fold", fold)
@@ -222,3 +239,4 @@ def cases():
     yield Case("moving", "obstacle inside", obstacle_inside)
     yield Case("moving", "passed through", passed_through, ranks=2)
     yield Case("moving", "pulled", pulled)
+    yield Case("moving", "gaps at rest", gaps_at_rest, ranks=2)
