@@ -2,10 +2,14 @@
 #include "mesh_import/pieces.h"
 
 #include "geometry/connected.h"
+#include "mesh_import/division/cell_shape.h"
+#include "mesh_import/division/centers.h"
+#include "mesh_import/division/chosen_cells.h"
 
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <unordered_set>
 
 namespace Signorini
 {
@@ -96,6 +100,42 @@ namespace Signorini
       for (const Piece &piece : pieces)
         if (!piece.is_named)
           file.group(piece.name).elements = piece.elements;
+  }
+
+
+
+  std::vector<std::string>
+  neighbours_of(const MeshFile &file, const unsigned int dim, const std::string &part)
+  {
+    if (part.empty())
+      return {};
+    std::vector<bool> is_own(file.elements.size());
+    for (const unsigned int e : cells_of_part(file, dim, part))
+      is_own[e] = true;
+    const auto keys_of = [&](const MeshFile::Element &cell) {
+      std::vector<Centers::Key> keys;
+      for (const MeshFile::Nodes &places : CellShape::of(cell.shape).faces)
+        keys.push_back(Centers::key(nodes_at(cell, places)));
+      return keys;
+    };
+    std::unordered_set<Centers::Key, Centers::Hash> faces;
+    for (unsigned int e = 0; e < is_own.size(); ++e)
+      if (is_own[e])
+        for (const Centers::Key &key : keys_of(file.elements[e]))
+          faces.insert(key);
+    const auto is_neighbour = [&](const unsigned int e) {
+      if (is_own[e] || dimension_of(file.elements[e].shape) != dim)
+        return false;
+      const auto keys = keys_of(file.elements[e]);
+      return std::any_of(keys.begin(), keys.end(), [&](const Centers::Key &key) {
+        return faces.count(key) > 0;
+      });
+    };
+    std::vector<std::string> result;
+    for (const auto &group : file.groups)
+      if (std::any_of(group.elements.begin(), group.elements.end(), is_neighbour))
+        result.push_back(group.name);
+    return result;
   }
 
 

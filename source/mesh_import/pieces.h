@@ -47,4 +47,11 @@ namespace Signorini
   template <int dim>
   std::vector<unsigned int>
   pieces_of(const std::vector<dealii::CellData<dim>> &cells, unsigned int n_vertices);
+
+  /// @return the other parts of a file with whose cells those of a part share faces.
+  /// @param file the mesh
+  /// @param dim 2 or 3
+  /// @param part name of the group; empty: there are no others
+  std::vector<std::string>
+  neighbours_of(const MeshFile &file, unsigned int dim, const std::string &part);
 } // namespace Signorini

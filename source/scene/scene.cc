@@ -273,8 +273,37 @@ namespace Signorini
     };
     for (Body<dim> &body : bodies)
       add(body.mesh.generator->read_file(folder, Decisions<dim>::needs_hypercubes(*this, body)));
+    add(bodies_that_come_apart());
     for (Obstacle<dim> &obstacle : obstacles)
       obstacle.shape->read_file(folder);
+  }
+
+
+
+  // Bodies do not share nodes, also where the parts of the file do.
+  template <int dim>
+  std::vector<std::string>
+  Scene<dim>::bodies_that_come_apart() const
+  {
+    std::vector<std::string> result;
+    const auto               is_of = [](const std::string &boundary, const Body<dim> &body) {
+      return boundary.compare(0, body.name.size() + 1, body.name + ".") == 0;
+    };
+    for (unsigned int i = 0; i < bodies.size(); ++i)
+      for (unsigned int j = 0; j < i && !auto_pairs; ++j)
+        {
+          const Body<dim> &a = bodies[i], &b = bodies[j];
+          const auto       beside = a.mesh.generator->neighbours();
+          const bool       joined = std::any_of(pairs.begin(), pairs.end(), [&](const auto &pair) {
+            return (is_of(pair.slave, a) && is_of(pair.master, b)) ||
+                   (is_of(pair.slave, b) && is_of(pair.master, a));
+          });
+          if (!joined && std::count(beside.begin(), beside.end(), b.mesh.generator->origin()) > 0)
+            result.push_back("the bodies " + b.name + " and " + a.name +
+                             " have common faces in their file, but no contact pair joins them, so "
+                             "that they come apart; Law = tied holds them together");
+        }
+    return result;
   }
 
 

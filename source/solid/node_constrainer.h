@@ -45,7 +45,7 @@ namespace Signorini
   struct FaceNodes
   {
     std::vector<unsigned int>                  nodes;   ///< numbers in the scalar element
-    std::unique_ptr<dealii::FEFaceValues<dim>> normals; ///< at these
+    std::unique_ptr<dealii::FEFaceValues<dim>> normals; ///< at these, then in the middle
 
     FaceNodes(const dealii::Mapping<dim>       &mapping,
               const dealii::FiniteElement<dim> &scalar,
@@ -56,10 +56,22 @@ namespace Signorini
       for (const unsigned int i : nodes)
         points.push_back(
           face_parameter<dim>(scalar.reference_cell(), f, scalar.unit_support_point(i)));
+      points.push_back(
+        scalar.reference_cell().face_reference_cell(f).template barycenter<dim - 1>());
       normals = std::make_unique<dealii::FEFaceValues<dim>>(mapping,
                                                             scalar,
                                                             dealii::Quadrature<dim - 1>(points),
                                                             dealii::update_normal_vectors);
+    }
+
+    /// The normal at node k of the face. Where two edges of a cell are on one arc, their angle is
+    /// 180 degrees and the Jacobian zero up to rounding, which decides the sign of the normal: that
+    /// in the middle of the face is right.
+    dealii::Tensor<1, dim>
+    normal(const unsigned int k) const
+    {
+      const dealii::Tensor<1, dim> n = normals->normal_vector(k);
+      return n * normals->normal_vector(nodes.size()) < 0 ? -n : n;
     }
   };
 
@@ -107,14 +119,14 @@ namespace Signorini
                 for (unsigned int k = 0; k < face.nodes.size(); ++k)
                   if (ConstrainedNode<dim> *node = constrained_node(face.nodes[k]))
                     visit(*node,
-                          with_normals ? without_rounding<dim>(face.normals->normal_vector(k)) :
+                          with_normals ? without_rounding<dim>(face.normal(k)) :
                                          dealii::Tensor<1, dim>());
               }
     }
 
     /// Call visit(node) for the nodes of a set of the coarse mesh, and for the nodes on edges,
-    /// faces and cells all of whose corners are in the set. Throws SceneError if nodes of the set
-    /// do not exist in the finite-element mesh. Collective.
+    /// faces and cells all of whose nodes in the file are in the set. Throws SceneError if nodes of
+    /// the set do not exist in the finite-element mesh. Collective.
     /// @param place location of the key in the scene, for messages
     template <typename Visit>
     void

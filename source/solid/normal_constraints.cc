@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/extent.h"
 #include "solid/node_constrainer.h"
+#include <signorini/base/text.h>
 
 namespace Signorini
 {
@@ -41,9 +42,12 @@ namespace Signorini
       const BoundingBox<dim> box = directions.reduce_over_ranks(mesh.communicator());
       for (unsigned int d = 0; d < dim; ++d)
         if (box.side_length(d) > 1e-6)
-          throw SceneError(support.place + ": '" + boundary +
-                           "' is not plane, so that it cannot be a plane of symmetry; set Type = "
-                           "roller to constrain a curved surface in normal direction");
+          throw SceneError(
+            support.place + ": '" + boundary +
+            "' is not plane, so that it cannot be a plane of symmetry (components of "
+            "its unit normals differ by " +
+            short_text(box.side_length(d), 2) +
+            "); set Type = roller to constrain a curved surface in normal direction");
     }
   } // namespace
 

@@ -113,6 +113,21 @@ namespace Signorini
     {
       return "";
     }
+
+    /// @return where the cells come from if they are a part of a file; otherwise empty.
+    virtual std::string
+    origin() const
+    {
+      return "";
+    }
+
+    /// @return the origins of the cells in the file with which those of this mesh share faces.
+    virtual std::vector<std::string>
+    neighbours() const
+    {
+      return {};
+    }
+
     /// @return whether the mesh contains a temperature field; known before the file is read.
     virtual bool
     has_temperature() const

@@ -155,6 +155,11 @@ namespace Signorini
       return auto_pairs ? std::vector<ContactPair<dim>>() : pairs;
     }
 
+    /// @return messages about bodies that are parts of one file with common faces, and that no
+    /// contact pair joins.
+    std::vector<std::string>
+    bodies_that_come_apart() const;
+
     /// @return the largest number of refinement cycles.
     unsigned int
     maximum_cycles() const;

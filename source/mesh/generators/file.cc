@@ -178,9 +178,8 @@ namespace Signorini
       const std::string simplices = word_of_cells(dim, true), others = word_of_cells(dim, false);
       throw SceneError("has " + std::to_string(n_simplices) + " " + simplices + " among " +
                        std::to_string(cells.size()) + " cells; a body may consist of " + simplices +
-                       " or " + others + ", not of both" +
-                       (dim == 3 ? ", and not of wedges or pyramids of first order" : "") +
-                       ": set Cells = " + others);
+                       " or " + others + ", of both" + (dim == 3 ? ", wedges or pyramids" : "") +
+                       " only if all are of second order: set Cells = " + others);
     }
 
 
@@ -243,7 +242,7 @@ namespace Signorini
       const MeshFile::Element &element = all.elements[c];
       return element.shape == simplex_shape<dim> && element.nodes.size() > n_corners(element.shape);
     };
-    if (cells == CellChoice::as_in_file && dim == 3 && can_be_cut(all, chosen))
+    if (cells == CellChoice::as_in_file && can_be_cut(all, chosen))
       return true;
     if (cells == CellChoice::as_in_file)
       {
@@ -251,19 +250,18 @@ namespace Signorini
         if (are_kept && !are_second_order(chosen.front()))
           notes.push_back(
             "the " + simplices +
-            " of first order are too stiff, in bending and where Poisson's ratio is above 0.4 "
-            "(locking): set Degree = 2, or Cells = " +
-            hypercubes);
+            " of first order get Degree = 1 unless the scene sets it, and are too stiff then, in "
+            "bending and where Poisson's ratio is above 0.4 (locking): set Degree = 2");
         return are_kept;
       }
     const bool are_all_simplices = std::all_of(chosen.begin(), chosen.end(), are_second_order);
     if (cells == CellChoice::hypercubes || !mid_side_nodes ||
-        (!are_all_simplices && !(dim == 3 && can_be_cut(all, chosen))))
+        (!are_all_simplices && !can_be_cut(all, chosen)))
       return false;
     const std::string they = are_all_simplices ? simplices : "cells";
     notes.push_back(needs_hypercubes.empty() ?
                       "the " + they + " of second order " +
-                        (are_all_simplices ? "are kept" : "become tetrahedra") +
+                        (are_all_simplices ? "are kept" : "become " + simplices) +
                         "; Cells = " + hypercubes + " divides them" :
                       "the " + they + " of second order are divided, as " + needs_hypercubes +
                         " needs " + hypercubes);
@@ -296,7 +294,7 @@ namespace Signorini
     });
     append(!are_kept     ? divide_cells(all, dim, selection.part, mid_side_nodes) :
            are_simplices ? check_simplices(all, chosen, dim) :
-                           cut_into_simplices(all, chosen, mid_side_nodes),
+                           cut_into_simplices(all, dim, chosen, mid_side_nodes),
            notes);
     return result;
   }
@@ -329,6 +327,8 @@ namespace Signorini
         if (!selection.part.empty() && !is_in(selection.part, parts))
           throw SceneError("has no such part; it has " + (parts.empty() ? "none" : join(parts)));
 
+        for (const std::string &part : neighbours_of(all, dim, selection.part))
+          my_neighbours.push_back(origin_of(part));
         add_sets(all, key);
 
         key = "Boundaries";
@@ -380,7 +380,7 @@ namespace Signorini
             reconstruct_surfaces(triangulation, part, curved_text == "automatic") :
             SurfaceReconstruction();
         append(rounding.notes, notes);
-        is_curved = n_curved + surfaces.size() + rounding.notes.size() > 0;
+        is_curved = n_curved + surfaces.size() > 0 || rounding.is_curved;
         key       = "Curved boundaries";
         check_not_folded(triangulation, part);
         mesh =

@@ -117,7 +117,26 @@ namespace Signorini
       return unless_pair;
     }
 
+    std::string
+    origin() const override
+    {
+      return selection.part.empty() ? "" : origin_of(selection.part);
+    }
+
+    std::vector<std::string>
+    neighbours() const override
+    {
+      return my_neighbours;
+    }
+
   private:
+    /// @return the origin of cells of a part.
+    std::string
+    origin_of(const std::string &part) const
+    {
+      return "part '" + part + "' of mesh file '" + file + "'";
+    }
+
     /// Add the sets that the scene defines as if they were in the file.
     /// @param all the file
     /// @param key is set to the key that is processed, for messages
@@ -164,6 +183,7 @@ namespace Signorini
     FileNodes<dim>                                   nodes;
     std::map<std::string, std::vector<unsigned int>> sets_of_cells;
     std::string                                      unless_pair;
+    std::vector<std::string>                         my_neighbours;
     bool                                             is_curved = false;
   };
 } // namespace Signorini
