@@ -288,3 +288,111 @@ TEST_CASE("surface elements of mesh files are obstacles, seen from either side")
                        doctest::Contains("has no set 'side'"),
                        SceneError);
 }
+
+
+
+// Nodes on the unit sphere: the surface deviates from it by the sagitta of its facets. Those
+// through the middles are half as long, so that their sagitta is a quarter.
+TEST_CASE("surface elements of second order are divided through their nodes")
+{
+  for (const bool of_triangles : {true, false})
+    {
+      CAPTURE(of_triangles);
+      // A patch about the equator, with nodes at the corners, sides and centres of n x n elements.
+      const unsigned int n       = 6;
+      const auto         node_at = [&](const unsigned int i, const unsigned int j) {
+        return j * (2 * n + 1) + i + 1;
+      };
+      std::ostringstream nodes, corners, sides, centers;
+      nodes.precision(17);
+      for (unsigned int j = 0; j <= 2 * n; ++j)
+        for (unsigned int i = 0; i <= 2 * n; ++i)
+          {
+            const double phi = 0.87 + 0.7 * i / n, theta = 2.27 - 0.7 * j / n;
+            nodes << node_at(i, j) << ' ' << std::sin(theta) * std::cos(phi) << ' '
+                  << std::sin(theta) * std::sin(phi) << ' ' << std::cos(theta) << '\n';
+          }
+      // The types of Gmsh: triangles 2 and 9, quadrilaterals 3, 16 (8 nodes) and 10 (9 nodes).
+      unsigned int n_elements = 0;
+      const auto   add        = [&](const unsigned int                      first_order,
+                           const unsigned int                      second_order,
+                           const std::vector<std::pair<int, int>> &places,
+                           const std::pair<int, int>              &at) {
+        const unsigned int n_corners = first_order + 1;
+        ++n_elements;
+        const auto write = [&](std::ostream      &out,
+                               const unsigned int type,
+                               const unsigned int size) {
+          out << n_elements << ' ' << type << " 2 1 1";
+          for (unsigned int k = 0; k < size; ++k)
+            out << ' ' << node_at(2 * at.first + places[k].first, 2 * at.second + places[k].second);
+          out << '\n';
+        };
+        write(corners, first_order, n_corners);
+        write(sides, second_order, 2 * n_corners);
+        write(centers, of_triangles ? 9 : 10, of_triangles ? 6 : 9);
+      };
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          if (of_triangles)
+            {
+              add(2, 9, {{0, 0}, {2, 0}, {0, 2}, {1, 0}, {1, 1}, {0, 1}}, {i, j});
+              add(2, 9, {{2, 0}, {2, 2}, {0, 2}, {2, 1}, {1, 2}, {1, 1}}, {i, j});
+            }
+          else
+            add(3,
+                16,
+                {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}},
+                {i, j});
+      const auto file_of = [&](const std::ostringstream &elements) {
+        return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" +
+               std::to_string((2 * n + 1) * (2 * n + 1)) + "\n" + nodes.str() +
+               "$EndNodes\n$Elements\n" + std::to_string(n_elements) + "\n" + elements.str() +
+               "$EndElements\n";
+      };
+      // The largest distance of the surface from the sphere, along the radii of its middle.
+      const auto error_of = [&](const std::string &text, const unsigned int n_facets) {
+        const TemporaryFile file(text, ".msh");
+        const Triangles     triangles = read_mesh_surface(file.path, "");
+        CHECK(triangles.corners.size() == n_facets * n_elements);
+        for (const Point<3> &vertex : triangles.vertices)
+          CHECK(vertex.norm() == doctest::Approx(1).epsilon(1e-14));
+        const auto surface = obstacle(file);
+        double     error   = 0;
+        for (unsigned int k = 0; k < 1000; ++k)
+          {
+            const double       phi = 1.1 + 0.9 * k / 1000, theta = 1.2 + std::fmod(0.37 * k, 0.7);
+            const Tensor<1, 3> ray(
+              {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+            const ObstaclePoint<3> at = surface.shape->closest(Point<3>(1.1 * ray));
+            CHECK(at.normal * ray > 0.98);
+            error = std::max(error, at.gap - 0.1);
+          }
+        return error;
+      };
+      const double coarse = error_of(file_of(corners), of_triangles ? 1 : 2),
+                   fine   = error_of(file_of(sides), of_triangles ? 4 : 6);
+      CHECK(coarse > 1e-3);
+      // Between the four middles of a quadrilateral a longest edge is as long as one of its sides.
+      CHECK(coarse / fine == doctest::Approx(of_triangles ? 4 : 2).epsilon(0.1));
+      if (!of_triangles)
+        CHECK(coarse / error_of(file_of(centers), 8) == doctest::Approx(4).epsilon(0.1));
+    }
+}
+
+
+
+TEST_CASE("surface elements of second order fit those of first order beside them")
+{
+  // A triangle of second order and a quadrilateral of first order at its long edge, in the plane
+  // z = 0 but for the middle of that edge.
+  const TemporaryFile file("*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0.5, 0, 0\n"
+                           "5, 0.5, 0.5, 0.1\n6, 0, 0.5, 0\n7, 2, 1, 0\n8, 1, 2, 0\n"
+                           "*ELEMENT, TYPE=STRI65, ELSET=tool\n1, 1, 2, 3, 4, 5, 6\n"
+                           "*ELEMENT, TYPE=R3D4, ELSET=tool\n2, 2, 7, 8, 3\n",
+                           ".inp");
+  CHECK(read_mesh_surface(file.path, "tool").corners.size() == 4 + 3);
+  const auto tool = obstacle(file);
+  CHECK(tool.shape->closest(Point<3>(0.5, 0.5, 0.3)).gap == doctest::Approx(0.2));
+  CHECK(tool.shape->closest(Point<3>(0.5, 0.5, 0)).gap < -0.05);
+}

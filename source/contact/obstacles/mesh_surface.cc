@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/obstacles/triangle_surface.h"
+#include "mesh_import/cells.h"
+#include "mesh_import/division/cell_shape.h"
 #include "mesh_import/formats/keyword_file.h"
 #include "mesh_import/mesh_file.h"
 #include <signorini/parameters/raw.h>
@@ -51,6 +53,123 @@ namespace Signorini
         }
       return result;
     }
+
+    /// The nodes of second order in the middle of the edges and faces of some faces.
+    class Middles
+    {
+    public:
+      /// Find them among all elements, which alone know them: faces of sets are lists of corners,
+      /// and may be those of solids. Neighbours of a face share what is in the middle of its edges,
+      /// also if they are of first order themselves.
+      Middles(const MeshFile &mesh, const std::vector<MeshFile::Nodes> &faces)
+      {
+        for (const MeshFile::Nodes &face : faces)
+          {
+            nodes[sorted(face)] = none;
+            for (unsigned int i = 0; i < face.size(); ++i)
+              nodes[edge_of(face, i)] = none;
+          }
+        for (const MeshFile::Element &element : mesh.elements)
+          {
+            const unsigned int dimension = dimension_of(element.shape);
+            if (dimension != 2 && dimension != 3)
+              continue;
+            const CellShape &shape = CellShape::of(element.shape);
+            for (unsigned int i = shape.n_corners; i < element.nodes.size(); ++i)
+              if (const auto found = nodes.find(sorted(shape.corners_around(i, element)));
+                  found != nodes.end())
+                found->second = element.nodes[i];
+          }
+      }
+
+      /// @return the corners of a face with the nodes in the middle of its edges between them.
+      MeshFile::Nodes
+      outline(const MeshFile::Nodes &face) const
+      {
+        MeshFile::Nodes result;
+        for (unsigned int i = 0; i < face.size(); ++i)
+          {
+            result.push_back(face[i]);
+            if (const unsigned int middle = nodes.at(edge_of(face, i)); middle != none)
+              result.push_back(middle);
+          }
+        return result;
+      }
+
+      /// @return the node in the middle of a face; `none` if there is none.
+      unsigned int
+      center(const MeshFile::Nodes &face) const
+      {
+        return nodes.at(sorted(face));
+      }
+
+      static constexpr unsigned int none = -1;
+
+    private:
+      /// @return the ends of edge i of a face, sorted.
+      static MeshFile::Nodes
+      edge_of(const MeshFile::Nodes &face, const unsigned int i)
+      {
+        return sorted({face[i], face[(i + 1) % face.size()]});
+      }
+
+      std::map<MeshFile::Nodes, unsigned int> nodes; ///< by the corners around them, sorted
+    };
+
+
+
+    /// @return the triangles of a polygon from its first corner.
+    std::vector<std::array<unsigned int, 3>>
+    fan(const MeshFile::Nodes &polygon)
+    {
+      std::vector<std::array<unsigned int, 3>> result;
+      for (unsigned int i = 2; i < polygon.size(); ++i)
+        result.push_back({{polygon[0], polygon[i - 1], polygon[i]}});
+      return result;
+    }
+
+
+
+    /// @return the triangles of a face. A quadrilateral is divided along its shorter diagonal. A
+    /// face of second order is divided through its nodes: around that in its centre if there is
+    /// one, otherwise the corners between the middles of two edges are cut off.
+    std::vector<std::array<unsigned int, 3>>
+    triangles_of(const MeshFile::Nodes       &face,
+                 const Middles               &middles,
+                 const std::vector<Point<3>> &nodes)
+    {
+      MeshFile::Nodes outline = middles.outline(face);
+      if (const unsigned int center = middles.center(face); center != Middles::none)
+        {
+          outline.push_back(outline.front());
+          outline.insert(outline.begin(), center);
+          return fan(outline);
+        }
+      const auto is_middle = [&](const unsigned int node) {
+        return std::find(face.begin(), face.end(), node) == face.end();
+      };
+      std::vector<std::array<unsigned int, 3>> result;
+      MeshFile::Nodes                          rest;
+      for (unsigned int i = 0, n = outline.size(); i < n; ++i)
+        {
+          const unsigned int last = outline[(i + n - 1) % n], next = outline[(i + 1) % n];
+          if (is_middle(last) && is_middle(next))
+            result.push_back({{last, outline[i], next}});
+          else
+            rest.push_back(outline[i]);
+        }
+      // Next to an edge of first order the rest has corners and middles. Triangles from a middle
+      // never have three nodes of one edge.
+      const auto n_middles = std::count_if(rest.begin(), rest.end(), is_middle);
+      auto       start     = std::find_if(rest.begin(), rest.end(), is_middle);
+      if (rest.size() == 4 && n_middles % 4 == 0)
+        start = rest.begin() +
+                (nodes[rest[1]].distance(nodes[rest[3]]) < nodes[rest[0]].distance(nodes[rest[2]]));
+      std::rotate(rest.begin(), start, rest.end());
+      for (const auto &triangle : fan(rest))
+        result.push_back(triangle);
+      return result;
+    }
   } // namespace
 
 
@@ -62,26 +181,21 @@ namespace Signorini
     Triangles      result;
     try
       {
+        const std::vector<MeshFile::Nodes>   faces = faces_of(mesh, surface);
+        const Middles                        middles(mesh, faces);
         std::map<unsigned int, unsigned int> number;
-        for (const MeshFile::Nodes &face : faces_of(mesh, surface))
-          {
-            MeshFile::Nodes own;
-            for (const unsigned int node : face)
-              {
-                const auto [entry, is_new] = number.insert({node, result.vertices.size()});
-                if (is_new)
-                  result.vertices.push_back(mesh.nodes[node]);
-                own.push_back(entry->second);
-              }
-            // A quadrilateral is divided along its shorter diagonal.
-            const auto &x = result.vertices;
-            const bool  is_other =
-              own.size() == 4 && x[own[1]].distance(x[own[3]]) < x[own[0]].distance(x[own[2]]);
-            if (is_other)
-              std::rotate(own.begin(), own.begin() + 1, own.end());
-            for (unsigned int i = 2; i < own.size(); ++i)
-              result.corners.push_back({{own[0], own[i - 1], own[i]}});
-          }
+        for (const MeshFile::Nodes &face : faces)
+          for (auto triangle : triangles_of(face, middles, mesh.nodes))
+            {
+              for (unsigned int &node : triangle)
+                {
+                  const auto [entry, is_new] = number.insert({node, result.vertices.size()});
+                  if (is_new)
+                    result.vertices.push_back(mesh.nodes[node]);
+                  node = entry->second;
+                }
+              result.corners.push_back(triangle);
+            }
         if (result.corners.empty())
           throw SceneError(surface.empty() ? "has no surface elements" :
                                              "has no surface elements in '" + surface + "'");

@@ -26,7 +26,8 @@ namespace Signorini
         section.add("File",
                     file,
                     "STL file, text or binary, or mesh file (" + mesh_formats() +
-                      ") with surface elements, beside the scene; 3D only");
+                      ") with surface elements, beside the scene; those of second order become "
+                      "facets through their mid-side nodes; 3D only");
         section.add(
           "Surface",
           set_name,

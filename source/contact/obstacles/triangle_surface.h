@@ -78,8 +78,9 @@ namespace Signorini
   read_stl(const std::string &file_name);
 
   /// Read the surface elements of a mesh file, or those and the faces of one of its sets.
-  /// Quadrilaterals are divided. Outside is where their corners go around anticlockwise. Throws
-  /// SceneError with the name of the file.
+  /// Quadrilaterals are divided, and elements of second order through their mid-side nodes: a
+  /// triangle into four. Outside is where their corners go around anticlockwise. Throws SceneError
+  /// with the name of the file.
   /// @param surface name of the set in any case; empty: all surface elements
   Triangles
   read_mesh_surface(const std::string &file_name, const std::string &surface);
