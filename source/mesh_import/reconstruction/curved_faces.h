@@ -100,6 +100,17 @@ namespace Signorini
   Facets<dim>
   find_round_faces(const FacetGraph<dim> &graph);
 
+  /// Find facets that may be meant as a curved surface: the boundary bends at two sides of them at
+  /// least, by half a degree or more and no more than at a rim of the graph. Facets in one plane
+  /// count as one, and not at all if they have a corner inside: a plane that several elements
+  /// divide is a plane, and what bends beside it is an edge. Vertices that were inserted are no
+  /// corners.
+  /// @param graph the boundary faces with their neighbours
+  /// @return for each face the largest of these angles [degrees]; 0 if it is not among them
+  template <int dim>
+  std::vector<double>
+  find_bent_facets(const FacetGraph<dim> &graph);
+
   /// A facet that is replaced by a part of a smooth surface.
   template <int dim>
   struct SmoothFace

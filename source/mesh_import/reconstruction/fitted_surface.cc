@@ -6,6 +6,7 @@
 #include <signorini/base/text.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -132,23 +133,30 @@ namespace Signorini
       return result;
     }
 
-    /// @return an approximate axis of a cylinder or cone. Its normals all have the same component
-    /// along the axis: the axis is the direction of least variance of the normals, the eigenvector
-    /// of their covariance matrix with the smallest eigenvalue.
-    Tensor<1, 3>
-    guess_of_axis(const std::vector<Tensor<1, 3>> &normals)
+    /// @return approximate axes of a cylinder or cone, in the order in which they are tried. The
+    /// normals of a cylinder have no component along its axis, those of a cone all have the same:
+    /// the axis is the direction in which their components have the least sum of squares, or
+    /// differ least, the eigenvector of their second moments about zero, or about their mean, with
+    /// the smallest eigenvalue. In a narrow patch the components along the mean normal differ
+    /// little, too, so that the second guess alone may be at a right angle to the axis.
+    std::array<Tensor<1, 3>, 2>
+    guesses_of_axis(const std::vector<Tensor<1, 3>> &normals)
     {
-      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      Tensor<1, 3> mean;
       for (const auto &n : normals)
-        mean += Eigen::Vector3d(n[0], n[1], n[2]) / normals.size();
-      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-      for (const auto &n : normals)
-        {
-          const Eigen::Vector3d v = Eigen::Vector3d(n[0], n[1], n[2]) - mean;
-          spread += v * v.transpose();
-        }
-      const Eigen::Vector3d a = eigenpairs_of_symmetric(spread).vectors.col(0);
-      return Tensor<1, 3>({a[0], a[1], a[2]});
+        mean += n / double(normals.size());
+      const auto least = [&](const Tensor<1, 3> &origin) {
+        Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+        for (const auto &n : normals)
+          {
+            const Tensor<1, 3>    arm = n - origin;
+            const Eigen::Vector3d v(arm[0], arm[1], arm[2]);
+            spread += v * v.transpose();
+          }
+        const Eigen::Vector3d a = eigenpairs_of_symmetric(spread).vectors.col(0);
+        return Tensor<1, 3>({a[0], a[1], a[2]});
+      };
+      return {{least({}), least(mean)}};
     }
 
     /// The parameters x of a cylinder or cone, relative to an approximate one: two of the rotation
@@ -246,6 +254,20 @@ namespace Signorini
       return largest;
     }
 
+    /// @return the cylinder through the points whose axis has the direction of the guess: the
+    /// circle through the points projected onto the plane normal to it.
+    std::pair<Round, double>
+    guess_of_cylinder(const std::vector<Point<3>> &points, const Tensor<1, 3> &axis)
+    {
+      const Round           flat({}, axis);
+      std::vector<Point<2>> projected;
+      for (const Point<3> &p : points)
+        projected.emplace_back(p * flat.first, p * flat.second);
+      const FittedSurface<2> circle = sphere_through(projected);
+      return {Round(Point<3>(circle.center[0] * flat.first + circle.center[1] * flat.second), axis),
+              circle.radius};
+    }
+
     /// @return the cylinder, or else the cone, that is no farther than the tolerance from all
     /// points; none if neither is. Points and tolerance are in the units of the cloud.
     std::optional<FittedSurface<3>>
@@ -253,27 +275,25 @@ namespace Signorini
               const std::vector<Tensor<1, 3>> &normals,
               const double                     tolerance)
     {
-      const Tensor<1, 3> axis = guess_of_axis(normals);
-      const Round        flat({}, axis);
-      // The first guess is a cylinder: the circle through the points projected onto the plane
-      // normal to the axis.
-      std::vector<Point<2>> projected;
-      for (const Point<3> &p : cloud.points)
-        projected.emplace_back(p * flat.first, p * flat.second);
-      const FittedSurface<2> circle = sphere_through(projected);
-      const Round guess(Point<3>(circle.center[0] * flat.first + circle.center[1] * flat.second),
-                        axis);
-      Eigen::VectorXd x = Eigen::VectorXd::Zero(5);
-      x(4)              = circle.radius;
-      // A cylinder is tried before a cone, which has one parameter more. Both start from the same
-      // guess.
+      const std::array<Tensor<1, 3>, 2> axes = guesses_of_axis(normals);
+      // A cylinder is tried from all guesses before a cone, which has one parameter more and fits
+      // whatever a cylinder fits.
       for (const unsigned int n : {5, 6})
-        {
-          x.conservativeResizeLike(Eigen::VectorXd::Zero(n));
-          const FittedSurface<3> surface = round_through(cloud.points, guess, x);
-          if (largest_distance(surface, cloud.points) <= tolerance)
+        for (const Tensor<1, 3> &axis : axes)
+          {
+            const auto [guess, radius] = guess_of_cylinder(cloud.points, axis);
+            Eigen::VectorXd x          = Eigen::VectorXd::Zero(n);
+            x(4)                       = radius;
+            FittedSurface<3> surface   = round_through(cloud.points, guess, x);
+            if (!(largest_distance(surface, cloud.points) <= tolerance))
+              continue;
+            // The centre is the point of the axis that is nearest to the middle of the points, the
+            // origin.
+            const double height = surface.center * surface.axis;
+            surface.center -= height * surface.axis;
+            surface.radius -= surface.slope * height;
             return surface;
-        }
+          }
       return {};
     }
   } // namespace

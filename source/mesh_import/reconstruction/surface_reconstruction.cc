@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/reconstruction/surface_reconstruction.h"
 
-#include "geometry/cell_size.h"
 #include "mesh_import/cells.h"
 #include "mesh_import/reconstruction/curved_faces.h"
+#include "mesh_import/reconstruction/facets.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/section.h>
 
@@ -29,50 +29,66 @@ namespace Signorini
 
 
 
-    /// The boundary faces of a triangulation by their sorted vertices, with the depth of their
-    /// cells.
+    /// @return the distance [length] of a facet from the surface on which its corners are: the
+    /// largest at vertices that were inserted, in the middles of lines, and in that of the facet.
     template <int dim>
-    struct FacesByVertices
+    double
+    distance_of(const RoundFaces<dim> &round, const unsigned int f, const FilePart<dim> &part)
     {
-      using Face = typename Triangulation<dim>::face_iterator;
-
-      std::map<std::vector<unsigned int>, std::pair<double, Face>> faces;
-
-      explicit FacesByVertices(const Triangulation<dim> &triangulation)
-      {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          for (const unsigned int f : cell->face_indices())
-            if (const Face face = cell->face(f); face->at_boundary())
-              {
-                std::vector<unsigned int> vertices;
-                for (const unsigned int v : face->vertex_indices())
-                  vertices.push_back(face->vertex_index(v));
-                faces[sorted(vertices)] = {depth_behind(cell, f), face};
-              }
-      }
-
-      const std::pair<double, Face> &
-      at(const CellData<dim - 1> &face) const
-      {
-        return faces.at(sorted(face.vertices));
-      }
-    };
+      const std::vector<unsigned int> &vertices = boundary_faces(part)[f].vertices;
+      double result = round.surface.distance(center_of(vertices, part.vertices));
+      for (const unsigned int v : vertices)
+        result = std::max(result, round.surface.distance(part.vertices[v]));
+      for (const auto &line : lines_of<dim>(vertices))
+        result = std::max(result, round.surface.distance(center_of(line, part.vertices)));
+      return result;
+    }
 
 
 
-    /// @return whether any of these faces has a cell so thin (sagitta above a fifth of its depth)
-    /// that the curved surface would come close to the opposite side of the cell.
+    /// @return whether cells behind a round surface are too thin for it, or would be inverted.
     template <int dim>
     bool
-    is_too_thin(const double                          sagitta,
-                const std::vector<unsigned int>      &some,
-                const std::vector<CellData<dim - 1>> &faces,
-                const FacesByVertices<dim>           &by_vertices)
+    is_too_thin(const RoundFaces<dim>      &round,
+                const FilePart<dim>        &part,
+                const FacesByVertices<dim> &by_vertices)
     {
-      constexpr double thin = 0.2; // sagitta by depth
-      return std::any_of(some.begin(), some.end(), [&](const unsigned int f) {
-        return sagitta > thin * by_vertices.at(faces[f]).first;
+      Moved<dim> moved;
+      for (const unsigned int f : round.faces)
+        {
+          const std::vector<unsigned int> &vertices = boundary_faces(part)[f].vertices;
+          for (const unsigned int v : vertices)
+            if (part.inserted[v])
+              moved.vertices[v] = round.surface.closest(part.vertices[v]);
+          for (const auto &line : lines_of<dim>(vertices))
+            moved.middles[line] = round.surface.closest(center_of(line, part.vertices));
+        }
+      return std::any_of(round.faces.begin(), round.faces.end(), [&](const unsigned int f) {
+        const auto &[depth, face] = by_vertices.at(boundary_faces(part)[f]);
+        return is_thin(distance_of(round, f, part), depth) ||
+               inverts_cells(face, moved, by_vertices);
       });
+    }
+
+
+
+    /// @return what smooth faces move if all of them become curved.
+    template <int dim>
+    Moved<dim>
+    moved_by(const SmoothFaces<dim> &smooth, const FilePart<dim> &part)
+    {
+      Moved<dim> result;
+      for (const SmoothFace<dim> &one : smooth.faces)
+        {
+          const std::vector<unsigned int> &v = boundary_faces(part)[one.face].vertices;
+          for (const unsigned int vertex : v)
+            if (part.inserted[vertex])
+              result.vertices[vertex] = smooth.vertices[vertex];
+          if (v.size() == dim) // a side of a simplex, or a line
+            for (unsigned int i = 0; i < (dim == 2 ? 1 : 3); ++i)
+              result.middles[sorted({v[i], v[(i + 1) % dim]})] = one.edges[i].value(0.5);
+        }
+      return result;
     }
 
 
@@ -91,6 +107,14 @@ namespace Signorini
         words.push_back(part.boundaries[name]);
       return join(words);
     }
+
+
+
+    /// What names a surface in the scene, for messages.
+    template <int dim>
+    constexpr const char *curved_boundaries =
+      dim == 2 ? "name a circle in Curved boundaries" :
+                 "name a sphere or cylinder in Curved boundaries";
 
 
 
@@ -160,7 +184,8 @@ namespace Signorini
 
     /// Reconstruct smooth surfaces where no round one was recognised: give each face manifolds of
     /// its own, with ids from `first` on, and move its vertices onto the surface.
-    /// @param known for each face whether a round surface was recognised
+    /// @param known for each face whether a round surface was recognised; set for faces that become
+    /// curved here
     /// @param facets whose sagitta becomes the uncertainty of the reconstructed surface
     /// @return a line for the user, or none
     template <int dim>
@@ -169,7 +194,7 @@ namespace Signorini
                    const FilePart<dim>        &part,
                    const FacesByVertices<dim> &by_vertices,
                    const types::manifold_id    first,
-                   const std::vector<bool>    &known,
+                   std::vector<bool>          &known,
                    Facets<dim>                &facets)
     {
       // The graph of the vertices after round surfaces have moved some of them.
@@ -180,14 +205,16 @@ namespace Signorini
       std::vector<unsigned int> some;
       double                    uncertainty = 0;
       types::manifold_id        next        = first;
+      const Moved<dim>          moved       = moved_by(smooth, part);
       for (const SmoothFace<dim> &one : smooth.faces)
-        if (!is_too_thin(facets.sagitta[one.face], {one.face}, boundary_faces(part), by_vertices))
+        if (const auto &[depth, face] = by_vertices.at(boundary_faces(part)[one.face]);
+            !is_thin(facets.sagitta[one.face], depth) && !inverts_cells(face, moved, by_vertices))
           {
             next = assign_manifold(one, by_vertices, next, part, triangulation);
             some.push_back(one.face);
             facets.sagitta[one.face] = one.uncertainty;
             uncertainty              = std::max(uncertainty, one.uncertainty);
-            const auto &face         = by_vertices.at(boundary_faces(part)[one.face]).second;
+            known[one.face]          = true;
             for (const unsigned int v : face->vertex_indices())
               face->vertex(v) = smooth.vertices[face->vertex_index(v)];
           }
@@ -196,6 +223,44 @@ namespace Signorini
       return {std::to_string(some.size()) + " facets of " + names_of(some, part) +
               " are reconstructed as smooth surfaces, with an accuracy of about " +
               short_text(uncertainty, 1) + "; Curved boundaries = none keeps the facets"};
+    }
+
+
+
+    /// @return for each boundary that may be meant as curved, as its facets meet at small angles
+    /// that go on, a line for the user.
+    /// @param known for each face whether it has become curved, or another line names it
+    template <int dim>
+    std::vector<std::string>
+    flat_facets(const FacetGraph<dim>   &graph,
+                const FilePart<dim>     &part,
+                const std::vector<bool> &known,
+                const Facets<dim>       &facets)
+    {
+      struct Bent
+      {
+        std::vector<unsigned int> faces;
+        double                    angle = 0, sagitta = 0;
+      };
+      const std::vector<double>          angles = find_bent_facets(graph);
+      std::map<types::boundary_id, Bent> of_boundaries;
+      for (unsigned int f = 0; f < angles.size(); ++f)
+        if (!known[f] && angles[f] > 0)
+          {
+            Bent &bent = of_boundaries[boundary_faces(part)[f].boundary_id];
+            bent.faces.push_back(f);
+            bent.angle   = std::max(bent.angle, angles[f]);
+            bent.sagitta = std::max(bent.sagitta, facets.sagitta[f]);
+          }
+      std::vector<std::string> result;
+      for (const auto &[id, bent] : of_boundaries)
+        result.push_back(std::to_string(bent.faces.size()) + " facets of " +
+                         names_of(bent.faces, part) + " stay flat, and meet at angles of up to " +
+                         short_text(bent.angle, 2) +
+                         " degrees: if a curved surface is meant, it is up to about " +
+                         short_text(bent.sagitta, 2) + " from them; use smaller elements, or " +
+                         curved_boundaries<dim>);
+      return result;
     }
 
 
@@ -240,26 +305,40 @@ namespace Signorini
     std::vector<bool>          known(boundary_faces(part).size(), false);
     for (const RoundFaces<dim> &round : facets.round)
       {
-        const bool is_round =
-          automatic && !is_too_thin(round.sagitta, round.faces, boundary_faces(part), by_vertices);
+        const bool is_round = automatic && !is_too_thin(round, part, by_vertices);
+        double     distance = 0;
         for (const unsigned int f : round.faces)
           {
             known[f]          = true;
             facets.sagitta[f] = is_round ? 0. : round.sagitta;
+            distance          = std::max(distance, distance_of(round, f, part));
           }
-        if (!is_round)
+        if (!automatic)
           continue;
+        const std::string facets_of = std::to_string(round.faces.size()) + " facets of " +
+                                      names_of(round.faces, part),
+                          surface = round.surface.description();
+        if (!is_round)
+          {
+            result.notes.push_back(
+              facets_of + " stay flat, up to " + short_text(distance, 2) + " from " + surface +
+              ": the cells behind are too thin; use smaller elements there" +
+              (round.surface.slope == 0 ? std::string(", or ") + curved_boundaries<dim> : ""));
+            continue;
+          }
         triangulation.set_manifold(id, *round.surface.manifold());
         assign_manifold(round, by_vertices, id++, part);
-        result.notes.push_back(std::to_string(round.faces.size()) + " facets of " +
-                               names_of(round.faces, part) + " are taken for " +
-                               round.surface.description() +
+        result.notes.push_back(facets_of + " are taken for " + surface +
                                "; Curved boundaries = none keeps the facets");
       }
     if (automatic)
-      for (const std::string &note :
-           smooth_surface(triangulation, part, by_vertices, id, known, facets))
-        result.notes.push_back(note);
+      {
+        const auto smooth = smooth_surface(triangulation, part, by_vertices, id, known, facets);
+        const auto flat   = flat_facets(graph, part, known, facets);
+        result.is_curved  = id > 0 || !smooth.empty();
+        result.notes.insert(result.notes.end(), smooth.begin(), smooth.end());
+        result.notes.insert(result.notes.end(), flat.begin(), flat.end());
+      }
     result.facets = steepest(facets, part);
     return result;
   }

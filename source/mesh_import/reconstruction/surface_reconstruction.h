@@ -11,8 +11,11 @@ namespace Signorini
   /// The result of reconstruct_surfaces().
   struct SurfaceReconstruction
   {
-    /// One message for each surface that was reconstructed.
+    /// One message for each surface that was reconstructed, and for each that stays flat although
+    /// it may be meant as curved.
     std::vector<std::string> notes;
+    /// Whether any surface was reconstructed.
+    bool is_curved = false;
     /// The steepest facet of each boundary, for CoarseMesh::facets.
     std::vector<FacetHeight> facets;
   };
