@@ -3,7 +3,7 @@
 
 import math
 
-from case import PRM, SCENES, TESTS, Case, method, short
+from case import PRM, SCENES, TESTS, VARIED, Case, method, short
 
 PUNCH = ("punch-axisymmetric.prm", "force of contact", 460.396)
 SPHERE = ("hertz-axisymmetric.prm", "force of contact", 1000)
@@ -93,6 +93,15 @@ def quadratic_where_it_pays(test):
     test.check(set(rings["degrees"].values()) == {2} and rings["dofs"] < 4000, f"{rings['degrees']}, {rings['dofs']} degrees of freedom")
     rough = test.results(SCENES / scene, wanted(quantity, "Accuracy/Target error=5e-2", "Contact method/Method=auto"))
     test.check(rough["degrees"] == {"block": 1}, f"the degrees are {rough['degrees']}")
+
+
+def held_cell(test):
+    """Between prescribed nodes nothing is known: the bar says so, and with a target the mesh gets nodes there."""
+    scene, quantity = VARIED / "held-layer.prm", "von Mises of q"
+    fine = test.results(scene, wanted(quantity, "Bodies/b/Subdivisions=64,8", "Bodies/b/Degree=2"))["accuracy"]["quantities"][quantity]["value"]
+    coarse = test.results(scene, wanted(quantity))["accuracy"]["quantities"][quantity]
+    test.check(coarse["error_bound"] >= coarse["value"] > 0, f"{coarse}")
+    reached(test, test.results(scene, wanted(quantity, "Accuracy/Target error=0.02")), quantity, fine)
 
 
 def without_limit(test):
@@ -215,6 +224,7 @@ def cases():
     yield Case("accuracy", "friction/target", aimed_at(PARTIAL_SLIP, 2e-2, 12000, 2, "Mesh/Refinement regions/near/Levels=0",
                                                        "Mesh/Refinement regions/contact/Levels=0", *PRESSED_THEN_PULLED), ranks=2)
     yield Case("accuracy", "without limit", without_limit)
+    yield Case("accuracy", "held cell", held_cell)
     yield Case("accuracy", "history", there_and_back)
     yield Case("accuracy", "no time", no_time)
     yield Case("accuracy", "ranks", same_on_ranks, ranks=4)

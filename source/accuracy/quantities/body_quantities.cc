@@ -113,6 +113,19 @@ namespace Signorini
     {
       return evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0];
     }
+
+
+
+    /// Set the error of a probe in a cell all of whose nodes are prescribed. Nothing in the scene
+    /// changes the value there, so that the dual solution is zero and sees no error, but between
+    /// the nodes the value is not known at all. Collective.
+    /// @param size of the displacement or stress there
+    void
+    set_error_in_held_cell(const double size, Functional &functional)
+    {
+      if (functional.of_displacement.linfty_norm() == 0)
+        functional.unresolved = size;
+    }
   } // namespace
 
 
@@ -183,6 +196,7 @@ namespace Signorini
         one.value      = u[d];
         one.of_displacement =
           probe_functional(s.elasticity, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {});
+        set_error_in_held_cell(u.norm(), one);
         components.push_back(one);
       }
     return size_or_component(name, components);
@@ -199,10 +213,12 @@ namespace Signorini
                        j     = component_number(name.component.substr(1));
     SymmetricTensor<2, 3> which;
     // The product with a symmetric stress counts an off-diagonal component twice.
-    which[i][j]            = i == j ? 1 : 0.5; // counts twice
-    Functional result      = zero_functional(s);
-    result.value           = value_at(s, probe).stress[i][j];
+    which[i][j]                        = i == j ? 1 : 0.5; // counts twice
+    Functional                  result = zero_functional(s);
+    const SymmetricTensor<2, 3> stress = value_at(s, probe).stress;
+    result.value                       = stress[i][j];
     result.of_displacement = probe_functional(s.elasticity, probe, Tensor<1, dim>(), which);
+    set_error_in_held_cell(stress.norm(), result);
     return result;
   }
 
@@ -223,6 +239,7 @@ namespace Signorini
                                                 probe,
                                                 Tensor<1, dim>(),
                                                 1.5 / at.von_mises * deviator(at.stress));
+    set_error_in_held_cell(at.von_mises, result);
     return result;
   }
 
