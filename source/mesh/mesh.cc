@@ -179,29 +179,27 @@ namespace Signorini
       slaves.insert(boundary_ids(slave).begin(), boundary_ids(slave).end());
 
     // Weights must be defined before the first partitioning, and slaves known before the weights.
+    const auto make = [&](Triangulation<dim> &triangulation) {
+      weigh(triangulation, slaves, settings.slave_face_weight);
+      create(triangulation, coarse);
+      number_coarse_cells(triangulation);
+      refine_initially(triangulation, bodies, settings, contact_surfaces);
+    };
+    constexpr auto smoothing = Triangulation<dim>::limit_level_difference_at_vertices;
     if (!has_simplices() && settings.by_p4est(coarse.cells.size()))
       {
         tria = std::make_unique<parallel::distributed::Triangulation<dim>>(comm);
-        weigh(*tria, slaves, settings.slave_face_weight);
-        create(*tria, coarse);
-        number_coarse_cells(*tria);
-        refine_initially(*tria, bodies, settings, contact_surfaces);
+        make(*tria);
       }
     else if (Utilities::MPI::n_mpi_processes(comm) == 1)
       {
-        tria = std::make_unique<parallel::shared::Triangulation<dim>>(
-          comm, Triangulation<dim>::limit_level_difference_at_vertices);
-        create(*tria, coarse);
-        number_coarse_cells(*tria);
-        refine_initially(*tria, bodies, settings, contact_surfaces);
+        tria = std::make_unique<parallel::shared::Triangulation<dim>>(comm, smoothing);
+        make(*tria);
       }
     else
       {
-        Triangulation<dim> serial(Triangulation<dim>::limit_level_difference_at_vertices);
-        weigh(serial, slaves, settings.slave_face_weight);
-        create(serial, coarse);
-        number_coarse_cells(serial);
-        refine_initially(serial, bodies, settings, contact_surfaces);
+        Triangulation<dim> serial(smoothing);
+        make(serial);
         // Cells on both sides of a pair should be on the same rank.
         std::vector<std::pair<BoundaryIds, BoundaryIds>> pairs;
         for (const auto &[slave, master] : contact_surfaces)
@@ -221,31 +219,6 @@ namespace Signorini
     map_cells();
     tria->signals.post_distributed_refinement.connect([this] { map_cells(); });
     measure();
-  }
-
-
-
-  // Throw SceneError if the scene asks for what meshes with triangles or tetrahedra cannot do.
-  template <int dim>
-  void
-  Mesh<dim>::check_for_simplices(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
-                                 const MeshSettings<dim> &settings) const
-  {
-    const std::string body = names[std::find(is_of_simplices.begin(), is_of_simplices.end(), true) -
-                                   is_of_simplices.begin()],
-                      cure = ", but the cells of body '" + body + "' are " +
-                             word_of_cells(dim, true) +
-                             ", and no body beside such a one is refined: set Bodies/" + body +
-                             "/Cells = " + word_of_cells(dim, false);
-    if (settings.distribution == Distribution::p4est)
-      throw SceneError("Mesh/Distribution = p4est" + cure);
-    if (settings.refinements > 0 || settings.contact_refinements > 0 ||
-        !settings.refinement_regions.empty())
-      throw SceneError("Mesh has refinements" + cure);
-    for (const auto &[name, one] : bodies)
-      if (one.refinements > 0)
-        throw SceneError("Bodies/" + name + "/Refinements = " + std::to_string(one.refinements) +
-                         cure);
   }
 
 
@@ -368,23 +341,6 @@ namespace Signorini
       }
     piece_of_coarse_cell = of_ids;
     my_temperature.number(coarse_ids);
-  }
-
-
-
-  // Throw SceneError if slave and master of a pair share faces without being the same boundary.
-  template <int dim>
-  void
-  Mesh<dim>::check_slaves_and_masters(
-    const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const
-  {
-    for (const auto &[slave, master] : contact_surfaces)
-      if (!master.empty() && slave != master)
-        for (const types::boundary_id id : boundary_ids(slave))
-          if (boundary_ids(master).count(id) > 0)
-            throw SceneError(
-              "a contact pair has the slave '" + slave + "' and the master '" + master +
-              "', which share faces; for self-contact set Master to the same boundary as Slave");
   }
 
 

@@ -5,7 +5,6 @@
 #include "mesh_import/division/chosen_cells.h"
 #include "mesh_import/division/subdivisions.h"
 #include "mesh_import/import_steps.h"
-#include <signorini/mesh/generator.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -197,8 +196,8 @@ namespace Signorini
               counts.push_back(counted(n, name));
           }
         if (to_simplices)
-          return join(counts) + " cut into " + std::to_string(cells.size()) + " " +
-                 word_of_cells(dim, true);
+          return join(counts) + " cut into " + std::to_string(cells.size()) +
+                 (dim == 2 ? " triangles" : " tetrahedra");
         // Each cell has as many children as corners.
         for (const MeshFile::Element &cell : cells)
           n_children += n_corners(cell.shape);
@@ -288,10 +287,8 @@ namespace Signorini
         const bool       curved = is_curved(cell);
         for (unsigned int corner = 0; corner < shape.n_corners; ++corner)
           {
-            MeshFile::Element child{dim == 2 ? Shape::quadrilateral : Shape::hexahedron,
-                                    cell.type,
-                                    cell.number,
-                                    {}};
+            const Shape       of_child = dim == 2 ? cell_shape<2> : cell_shape<3>;
+            MeshFile::Element child{of_child, cell.type, cell.number, {}};
             for (const CellShape::Corners of : shape.children[corner])
               child.nodes.push_back(of == shape.all() ? center_of(cell, center) :
                                                         node_of(cell, of));
