@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bodies whose triangles are kept: scenes of other groups, whose boxes and rings are replaced by files of triangles."""
 
+import itertools
 import math
 import re
 from dataclasses import dataclass, replace
@@ -43,9 +44,10 @@ class Grid:
         for (i, j), number in numbers.items():
             x, y = self.at(i / m / self.nx, j / m / self.ny)
             lines.append(f"{number}, {x!r}, {y!r}")
+        element = itertools.count(1)
         for n_nodes, members in elements.items():
             lines += [f"*ELEMENT, TYPE={kinds[n_nodes]}, ELSET=ALL"] if members else []
-            lines += [f"{100000 * n_nodes + e}, " + ", ".join(map(str, nodes)) for e, nodes in enumerate(members)]
+            lines += [f"{next(element)}, " + ", ".join(map(str, nodes)) for nodes in members]
         for name, (axis, end) in zip(self.names, ((0, 0), (0, m * self.nx), (1, 0), (1, m * self.ny))):
             lines += [f"*NSET, NSET={name}"] + [f"{number}," for node, number in numbers.items() if node[axis] == end]
         return "\n".join(lines) + "\n"
@@ -117,7 +119,7 @@ def mixed(test):
         uniform(scene.resolve().with_suffix(""), sets, EXACT["patch-2d"], penetrates=name == "penalty",
                 exact=1e-4 if name == "penalty" else 1e-6, ranks=1 + i % 2)(test)
     meshes = "".join(file.read_text() for file in test.directory.glob("*.inp"))
-    n_points = len(re.findall(r"^\d+(, [^,\n]+){2}$", meshes, re.M)) + len(re.findall(r"^8000\d\d,", meshes, re.M))
+    n_points = len(re.findall(r"^\d+(, [^,\n]+){2}$", meshes, re.M)) + len(re.findall(r"^\d+(?:, \d+){8}$", meshes, re.M))
     found = test.results(scene, [])["dofs"]
     test.check(found == 2 * n_points, f"{found} unknowns instead of {2 * n_points}")
 
@@ -142,6 +144,60 @@ def corner_sets(test):
     test.print(f"forces {forces}")
     test.check(abs(forces[0] / forces[1] - 1) <= 1e-9 < 1e-3 < abs(forces[0] / forces[3] - 1), f"{forces}")
     test.check(abs(forces[2] / forces[3] - 1) <= 1e-9, f"{forces}")
+
+
+# Two parts of one mesh, pulled apart.
+PARTS = """set Dimension = 2
+subsection Bodies
+  set Names = low, up
+  subsection low
+    set Mesh            = file
+    set File            = parts.inp
+    set Part            = low
+    set Cells           = as in file
+    set Young's modulus = 1
+    set Poisson's ratio = 0
+  end
+  subsection up
+    set Mesh            = file
+    set File            = parts.inp
+    set Part            = up
+    set Cells           = as in file
+    set Young's modulus = 1
+    set Poisson's ratio = 0
+  end
+end
+subsection Supports
+  set Names = bottom, top
+  subsection bottom
+    set Boundaries   = low.bottom
+    set Displacement = 0; 0
+  end
+  subsection top
+    set Boundaries   = up.top
+    set Displacement = 0; 0.1
+  end
+end
+"""
+TIE = """subsection Contact pairs
+  set Names = tie
+  subsection tie
+    set Slave  = up.unnamed
+    set Master = low.unnamed
+    set Law    = tied
+  end
+end
+"""
+
+
+def common_faces(test):
+    """Parts that share faces in their file come apart without a pair, and a note says so."""
+    test.write("parts.inp", Grid(2, 2, lambda x, y: (x, y), 1).text() + "*ELSET, ELSET=low\n1, 2, 3, 4\n"
+               "*ELSET, ELSET=up\n5, 6, 7, 8\n")
+    for name, more, count in (("apart", "", 1), ("tied", TIE, 0)):
+        run = test.run(test.write(f"{name}.prm", PARTS + more))
+        test.check(run.code == 0, f"{name}: exit code {run.code}: {run.err}")
+        test.check((run.out + run.err).count("have common faces in their file") == count, f"{name}: {run.out}")
 
 
 def converges(model, sizes, quantity, least, last_error=math.inf, reference=None, sets=()):
@@ -225,6 +281,7 @@ def scenes_with_triangles():
                 lambda test, scene=scene, order=order: with_triangles(test, SCENES / f"{scene}.prm", order), ranks), ranks)
     yield Case("triangles/mixed", "patch", mixed, ranks=2)
     yield Case("triangles/sets", "corners", corner_sets)
+    yield Case("triangles/sets", "common faces", common_faces)
     yield Case("triangles/refusals", "refusals", refusals)
 
 
