@@ -123,17 +123,17 @@ namespace Signorini
       if (is_own[e])
         for (const Centers::Key &key : keys_of(file.elements[e]))
           faces.insert(key);
-    const auto is_neighbour = [&](const unsigned int e) {
-      if (is_own[e] || dimension_of(file.elements[e].shape) != dim)
-        return false;
-      const auto keys = keys_of(file.elements[e]);
-      return std::any_of(keys.begin(), keys.end(), [&](const Centers::Key &key) {
-        return faces.count(key) > 0;
-      });
-    };
+    // A cell may be in several groups, but is compared once.
+    std::vector<bool> is_neighbour(file.elements.size());
+    for (const unsigned int e : cells_of_part(file, dim, ""))
+      if (!is_own[e])
+        for (const Centers::Key &key : keys_of(file.elements[e]))
+          is_neighbour[e] = is_neighbour[e] || faces.count(key) > 0;
     std::vector<std::string> result;
     for (const auto &group : file.groups)
-      if (std::any_of(group.elements.begin(), group.elements.end(), is_neighbour))
+      if (std::any_of(group.elements.begin(), group.elements.end(), [&](const unsigned int e) {
+            return is_neighbour[e];
+          }))
         result.push_back(group.name);
     return result;
   }
