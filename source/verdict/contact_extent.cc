@@ -170,7 +170,10 @@ namespace Signorini
           extent.smallest_normal_alignment =
             std::min(extent.smallest_normal_alignment, point.normal_alignment);
       }
-    if (!s.contact.at_rest() && !needs_reference_gaps(s.pairs[pair]))
+    // Without contact no check asks for these gaps, and the search is saved.
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    if (!s.contact.at_rest() && !needs_reference_gaps(s.pairs[pair]) &&
+        Utilities::MPI::sum(extent.active, comm) > 0)
       find_gaps_at_rest(s, pair, obstacle, values.pressure, extent);
     for (const auto &[number, face] : faces)
       if (face.touched)
@@ -179,7 +182,6 @@ namespace Signorini
           extent.n_touched += 1;
         }
     // Reduce over all ranks.
-    const MPI_Comm comm = s.elasticity.mesh().communicator();
     // Number of touched faces and areas are sums, since each face belongs to one rank.
     for (double *sum : {&extent.active,
                         &extent.candidates,
