@@ -161,11 +161,13 @@ namespace Signorini
         if (goals.has_targets() && error_bound.error_bound <= target_error(i))
           continue;
         const double sum = sum_of(cells.products[i]), energy = sum_of(cells.energy);
-        // No cell has the error of a probe among prescribed nodes: all cells count alike.
-        if (sum <= 0 && histories[i].last().unresolved > 0)
-          add(std::vector<double>(result.size(), 1.), 1.);
         if (sum <= 0)
-          continue;
+          {
+            // No cell has the error of a probe among prescribed nodes: all cells count alike.
+            if (histories[i].last().unresolved > 0)
+              add(std::vector<double>(result.size(), 1.), 1.);
+            continue;
+          }
         const double unit =
           goals.has_targets() ? std::max(allowed(i), 1e-3 * sum) : std::abs(error_bound.value);
         const double weight = unit > 0 ? 1 / unit : 1 / sum;

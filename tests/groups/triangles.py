@@ -150,23 +150,15 @@ def corner_sets(test):
 PARTS = """set Dimension = 2
 subsection Bodies
   set Names = low, up
-  subsection low
+""" + "".join(f"""  subsection {part}
     set Mesh            = file
     set File            = parts.inp
-    set Part            = low
+    set Part            = {part}
     set Cells           = as in file
     set Young's modulus = 1
     set Poisson's ratio = 0
   end
-  subsection up
-    set Mesh            = file
-    set File            = parts.inp
-    set Part            = up
-    set Cells           = as in file
-    set Young's modulus = 1
-    set Poisson's ratio = 0
-  end
-end
+""" for part in ("low", "up")) + """end
 subsection Supports
   set Names = bottom, top
   subsection bottom
