@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/error_parts.h"
 #include "solid/scalar_elements.h"
-#include "solid/stress.h"
+#include "solid/stress_state.h"
 #include <signorini/solid/model.h>
 
 #include <deal.II/hp/fe_values.h>
@@ -15,24 +15,37 @@ namespace Signorini
 
   namespace
   {
-    /// Displacement, gradient, strain and stress at the quadrature points of a face, one entry for
-    /// each.
+    /// Displacement, its gradient and stress at the quadrature points of a face, one entry for
+    /// each; the stress is that of the first Piola and Kirchhoff, or its change for dual fields.
     template <int dim>
     struct AtFace
     {
-      std::vector<Tensor<1, dim>>        u;
-      std::vector<Tensor<2, dim>>        gradients;
-      std::vector<SymmetricTensor<2, 3>> strain, stress;
+      std::vector<Tensor<1, dim>> u;
+      std::vector<Tensor<2, dim>> gradient_in_plane;
+      std::vector<Tensor<2, 3>>   gradient, stress;
 
-      /// @return the traction sigma n at point q, in the plane or space of the model.
-      Tensor<1, dim>
-      traction(const unsigned int q, const Tensor<1, dim> &n) const
+      /// @return the product of the stress, or of the gradient, with n at point q, in the plane or
+      /// space of the model.
+      static Tensor<1, dim>
+      product(const Tensor<2, 3> &tensor, const Tensor<1, dim> &n)
       {
         Tensor<1, dim> result;
         for (unsigned int a = 0; a < dim; ++a)
           for (unsigned int b = 0; b < dim; ++b)
-            result[a] += stress[q][a][b] * n[b];
+            result[a] += tensor[a][b] * n[b];
         return result;
+      }
+
+      Tensor<1, dim>
+      traction(const unsigned int q, const Tensor<1, dim> &n) const
+      {
+        return product(stress[q], n);
+      }
+
+      Tensor<1, dim>
+      slope(const unsigned int q, const Tensor<1, dim> &n) const
+      {
+        return product(gradient[q], n);
       }
     };
 
@@ -43,9 +56,9 @@ namespace Signorini
     class Boundaries
     {
     public:
-      Boundaries(const Elasticity<dim>         &elasticity,
-                 const LA::Vector              &displacement,
-                 const std::vector<LA::Vector> &duals);
+      Boundaries(const Elasticity<dim>        &elasticity,
+                 const LA::Vector             &displacement,
+                 const std::vector<DualField> &duals);
 
       BoundaryErrors
       errors();
@@ -53,10 +66,21 @@ namespace Signorini
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-      /// @return the state at the points of a face for one displacement. Thermal strain is not
-      /// subtracted.
+      /// @return displacement and gradient of a field at the points of a face.
       AtFace<dim>
-      values_of(const LA::Vector &ghosted, const Cell &cell, const FEFaceValues<dim> &at) const;
+      values_of(const LA::Vector &ghosted, const FEFaceValues<dim> &at) const;
+      /// @return the solution at the points of a face.
+      /// @param states of stress there: out
+      AtFace<dim>
+      solution_at(const Cell               &cell,
+                  const FEFaceValues<dim>  &at,
+                  std::vector<StressState> &states) const;
+      /// @return a dual field there.
+      AtFace<dim>
+      dual_at(const DualField                &dual,
+              const Cell                     &cell,
+              const FEFaceValues<dim>        &at,
+              const std::vector<StressState> &states) const;
       /// @return at each point the thickness of the strip between the cell and the true boundary,
       /// along the normal of the cell; positive where the cell omits a part of the body. Values of
       /// the size of rounding are zero.
@@ -94,8 +118,8 @@ namespace Signorini
       const Elasticity<dim> &elasticity;
       /// The displacement with ghost values.
       const LA::Vector displacement;
-      /// The dual displacements with ghost values.
-      std::vector<LA::Vector>                                         duals;
+      /// The dual fields with ghost values.
+      std::vector<DualField>                                          duals;
       const hp::QCollection<dim - 1>                                  all_rules;
       hp::FEFaceValues<dim>                                           values, true_values;
       hp::FESubfaceValues<dim>                                        neighbour_values;
@@ -105,9 +129,9 @@ namespace Signorini
 
 
     template <int dim>
-    Boundaries<dim>::Boundaries(const Elasticity<dim>         &elasticity,
-                                const LA::Vector              &u,
-                                const std::vector<LA::Vector> &z)
+    Boundaries<dim>::Boundaries(const Elasticity<dim>        &elasticity,
+                                const LA::Vector             &u,
+                                const std::vector<DualField> &z)
       : elasticity(elasticity)
       , displacement(elasticity.with_ghosts(u))
       , all_rules(gauss_rules_of_faces(elasticity.finite_elements(), 1))
@@ -125,8 +149,8 @@ namespace Signorini
                          all_rules,
                          update_quadrature_points)
     {
-      for (const LA::Vector &one : z)
-        duals.push_back(elasticity.with_ghosts(one));
+      for (const DualField &one : z)
+        duals.push_back(with_ghosts(elasticity, one));
       for (const Support<dim> &support : elasticity.supports())
         if (support.type != SupportType::symmetry && support.acts(elasticity.time_of_supports()))
           for (const std::string &boundary : support.boundaries)
@@ -137,30 +161,60 @@ namespace Signorini
 
 
 
-    // Strain and stress have three dimensions in all models.
     template <int dim>
     AtFace<dim>
-    Boundaries<dim>::values_of(const LA::Vector        &ghosted,
-                               const Cell              &cell,
-                               const FEFaceValues<dim> &at) const
+    Boundaries<dim>::values_of(const LA::Vector &ghosted, const FEFaceValues<dim> &at) const
     {
       const FEValuesExtractors::Vector v(0);
       const unsigned int               n = at.n_quadrature_points;
       AtFace<dim>                      result;
       result.u.resize(n);
-      result.gradients.resize(n);
+      result.gradient_in_plane.resize(n);
       at[v].get_function_values(ghosted, result.u);
-      at[v].get_function_gradients(ghosted, result.gradients);
-      const Material &material = elasticity.material(cell->material_id());
+      at[v].get_function_gradients(ghosted, result.gradient_in_plane);
       for (unsigned int q = 0; q < n; ++q)
+        result.gradient.push_back(gradient_of_change(
+          elasticity.model(), result.gradient_in_plane[q], result.u[q], at.quadrature_point(q)));
+      return result;
+    }
+
+
+
+    template <int dim>
+    AtFace<dim>
+    Boundaries<dim>::solution_at(const Cell               &cell,
+                                 const FEFaceValues<dim>  &at,
+                                 std::vector<StressState> &states) const
+    {
+      AtFace<dim> result = values_of(displacement, at);
+      states.clear();
+      for (const unsigned int q : at.quadrature_point_indices())
         {
-          result.strain.push_back(strain(elasticity.model(),
-                                         material,
-                                         result.gradients[q],
-                                         result.u[q],
-                                         at.quadrature_point(q)));
-          result.stress.push_back(stress(material, result.strain.back()));
+          states.push_back(stress_state(
+            elasticity, *cell, result.gradient_in_plane[q], result.u[q], at.quadrature_point(q)));
+          result.stress.push_back(states[q].stress);
         }
+      return result;
+    }
+
+
+
+    template <int dim>
+    AtFace<dim>
+    Boundaries<dim>::dual_at(const DualField                &dual,
+                             const Cell                     &cell,
+                             const FEFaceValues<dim>        &at,
+                             const std::vector<StressState> &states) const
+    {
+      AtFace<dim> result = values_of(dual.displacement, at);
+      for (const unsigned int q : at.quadrature_point_indices())
+        result.stress.push_back(states[q].change_of_stress(
+          result.gradient[q],
+          states[q].is_mixed ?
+            elasticity.volumetric_stress().value(*cell,
+                                                 at.quadrature_point(q),
+                                                 dual.volumetric_stress) :
+            0.));
       return result;
     }
 
@@ -263,17 +317,18 @@ namespace Signorini
       if (std::all_of(strip.begin(), strip.end(), [](const double d) { return d == 0; }))
         return;
       const FEFaceValues<dim> &at = reinit(cell, face);
-      const AtFace<dim>        u  = values_of(displacement, cell, at);
+      std::vector<StressState> states;
+      const AtFace<dim>        u = solution_at(cell, at, states);
       for (unsigned int k = 0; k < duals.size(); ++k)
         {
-          const AtFace<dim> z = values_of(duals[k], cell, at);
+          const AtFace<dim> z = dual_at(duals[k], cell, at, states);
           for (const unsigned int q : at.quadrature_point_indices())
             {
               const Tensor<1, dim> &n = at.normal_vector(q);
               errors.of_geometry[k][cell->active_cell_index()] -=
                 at.JxW(q) * measure(elasticity.model(), at.quadrature_point(q)) * strip[q] *
-                (u.stress[q] * z.strain[q] - u.traction(q, n) * (z.gradients[q] * n) -
-                 z.traction(q, n) * (u.gradients[q] * n));
+                (scalar_product(u.stress[q], z.gradient[q]) -
+                 u.traction(q, n) * z.slope(q, n) - z.traction(q, n) * u.slope(q, n));
             }
         }
     }
@@ -291,11 +346,12 @@ namespace Signorini
       if (of_face == supports.end())
         return;
       const FEFaceValues<dim>          &at      = reinit(cell, face);
-      const AtFace<dim>                 u       = values_of(displacement, cell, at);
+      std::vector<StressState>          states;
+      const AtFace<dim>                 u       = solution_at(cell, at, states);
       const std::vector<Tensor<1, dim>> lacking = boundary_residual(of_face->second, u, at);
       for (unsigned int k = 0; k < duals.size(); ++k)
         {
-          const AtFace<dim> z = values_of(duals[k], cell, at);
+          const AtFace<dim> z = dual_at(duals[k], cell, at, states);
           for (const unsigned int q : at.quadrature_point_indices())
             errors.of_supports[k][cell->active_cell_index()] -=
               at.JxW(q) * measure(elasticity.model(), at.quadrature_point(q)) *
@@ -331,9 +387,9 @@ namespace Signorini
 
   template <int dim>
   BoundaryErrors
-  boundary_errors(const Elasticity<dim>         &elasticity,
-                  const LA::Vector              &displacement,
-                  const std::vector<LA::Vector> &duals)
+  boundary_errors(const Elasticity<dim>        &elasticity,
+                  const LA::Vector             &displacement,
+                  const std::vector<DualField> &duals)
   {
     return Boundaries<dim>(elasticity, displacement, duals).errors();
   }
@@ -341,7 +397,7 @@ namespace Signorini
 
 
   template BoundaryErrors
-  boundary_errors(const Elasticity<2> &, const LA::Vector &, const std::vector<LA::Vector> &);
+  boundary_errors(const Elasticity<2> &, const LA::Vector &, const std::vector<DualField> &);
   template BoundaryErrors
-  boundary_errors(const Elasticity<3> &, const LA::Vector &, const std::vector<LA::Vector> &);
+  boundary_errors(const Elasticity<3> &, const LA::Vector &, const std::vector<DualField> &);
 } // namespace Signorini

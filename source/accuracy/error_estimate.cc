@@ -65,15 +65,15 @@ namespace Signorini
   {
     const MPI_Comm comm = snapshot.elasticity.mesh().communicator();
     // The lift of a quantity is subtracted from its dual displacement, see Functional.
-    std::vector<LA::Vector> displacements;
+    std::vector<DualField> fields;
     for (unsigned int i = 0; i < duals.size(); ++i)
       {
-        displacements.push_back(duals[i].z);
+        fields.push_back({duals[i].z, duals[i].volumetric_stress});
         if (functionals[i].lift.size() > 0)
-          displacements.back() -= functionals[i].lift;
+          fields.back().displacement -= functionals[i].lift;
       }
     ErrorEstimate result;
-    result.cells  = cell_errors(snapshot.elasticity, snapshot.displacement, displacements);
+    result.cells  = cell_errors(snapshot.elasticity, snapshot.displacement, fields);
     double energy = 0;
     for (const double e : result.cells.energy)
       energy += e;
@@ -84,14 +84,14 @@ namespace Signorini
     // Errors of the boundaries exist only for quantities.
     const BoundaryErrors boundaries =
       duals.empty() ? BoundaryErrors() :
-                      boundary_errors(snapshot.elasticity, snapshot.displacement, displacements);
+                      boundary_errors(snapshot.elasticity, snapshot.displacement, fields);
     for (unsigned int i = 0; i < duals.size(); ++i)
       {
+        const LA::Vector    &z   = fields[i].displacement;
         double               sum = 0, absolute = 0, geometry = 0, edges = 0;
         std::vector<double> &of_cells = result.cells.products[i];
-        const auto           of_dirichlet =
-          dirichlet_contact_errors(snapshot, functionals[i], displacements[i]);
-        const auto of_edges = unresolved_contact(snapshot, functionals[i], displacements[i]);
+        const auto of_dirichlet      = dirichlet_contact_errors(snapshot, functionals[i], z);
+        const auto of_edges          = unresolved_contact(snapshot, functionals[i], z);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
             // The sums that enter the bound (8.13) do not contain the parts of geometry and of the
@@ -109,7 +109,7 @@ namespace Signorini
         one.value          = functionals[i].value;
         one.is_regularised = functionals[i].is_regularised;
         one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(edges, comm) +
-                         undetermined_contact(snapshot, functionals[i], displacements[i]);
+                         undetermined_contact(snapshot, functionals[i], z);
         one.energy               = result.energy;
         one.cauchy_schwarz_bound = std::sqrt(energy * result.cells.energies_of_duals[i]);
         one.parts.discretisation =
@@ -118,7 +118,7 @@ namespace Signorini
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
         if (!is_consistent)
           one.parts.enforcement = of_open_gaps(snapshot, duals[i].zeta);
-        one.parts.nonlinear = of_tension(snapshot, displacements[i]);
+        one.parts.nonlinear = of_tension(snapshot, z);
         one.parts.algebraic = duals[i].remainder;
         one.parts.model     = neglected * std::abs(one.value);
         one.parts.path      = path.empty() ? 0. : path[i];

@@ -263,6 +263,8 @@ namespace Signorini
     Functional result      = components.front();
     result.value           = std::sqrt(square);
     result.of_displacement = 0;
+    if (result.of_volumetric_stress.size() > 0)
+      result.of_volumetric_stress = 0;
     for (LA::Vector &component : result.of_traction)
       component = 0;
     if (result.lift.size() > 0)
@@ -273,6 +275,8 @@ namespace Signorini
       {
         const double share = result.value > 0 ? one.value / result.value : 1;
         result.of_displacement.add(share, one.of_displacement);
+        if (one.of_volumetric_stress.size() > 0)
+          result.of_volumetric_stress.add(share, one.of_volumetric_stress);
         for (unsigned int a = 0; a < result.of_traction.size(); ++a)
           result.of_traction[a].add(share, one.of_traction[a]);
         if (result.lift.size() > 0)

@@ -51,6 +51,9 @@ namespace Signorini
     double value = 0;
     /// Derivative with respect to the free degrees of freedom.
     LA::Vector of_displacement;
+    /// Derivative with respect to the coefficients of the volumetric stress of bodies in
+    /// displacement-pressure form; empty: zero.
+    LA::Vector of_volumetric_stress;
     /// Derivative with respect to the tractions at the contact points: the pressure, and with
     /// friction the components along the tangents.
     PointVectors of_traction;

@@ -363,6 +363,7 @@ namespace Signorini
     const DualSolution result = solver->newton.dual(state.displacement,
                                                     my_contact,
                                                     functional.of_displacement,
+                                                    functional.of_volumetric_stress,
                                                     functional.of_traction,
                                                     reduction);
     clock.stop();

@@ -60,16 +60,24 @@ namespace Signorini
                   const LA::Vector              &displacement,
                   const std::vector<Probe<dim>> &probes);
 
+  /// Derivatives by the free degrees of freedom of the displacement, and by the coefficients of the
+  /// volumetric stress (empty: no body is in displacement-pressure form).
+  struct ProbeDerivative
+  {
+    LA::Vector of_displacement, of_volumetric_stress;
+  };
+
   /// @return the derivative of of_displacement . u + of_stress : sigma at a probe, in the sense of
-  /// evaluate_probes(), with respect to the free degrees of freedom. The point must be in its body.
-  /// Collective.
+  /// evaluate_probes(). The point must be in its body. Collective.
   /// @param elasticity the model
+  /// @param displacement without ghost values
   /// @param probe a point in a body
   /// @param of_displacement weights of the components of the displacement
   /// @param of_stress weights of the stress components
   template <int dim>
-  LA::Vector
+  ProbeDerivative
   probe_functional(const Elasticity<dim>               &elasticity,
+                   const LA::Vector                    &displacement,
                    const Probe<dim>                    &probe,
                    const dealii::Tensor<1, dim>        &of_displacement,
                    const dealii::SymmetricTensor<2, 3> &of_stress);

@@ -29,8 +29,6 @@ namespace Signorini
         return "requires a Poisson's ratio above 0";
       if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; set Law = neo-Hooke";
-      if (!scene.goals.quantities.empty() || scene.goals.has_targets())
-        return "errors of the volumetric stress are not estimated; remove Accuracy/Quantity and Target error";
       return {};
     }
 
@@ -346,9 +344,6 @@ namespace Signorini
         refuse(
           "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
           "is not available for Model = plane stress with Deformation = finite; use a Traction instead");
-    if (!scene.goals.quantities.empty())
-      refuse("Accuracy/Quantity = " + scene.goals.quantities.front(),
-             "error estimation is not available with Deformation = finite");
     if (scene.output.linear_reference)
       refuse("Output/Linear reference = yes", "is not available with Deformation = finite");
   }

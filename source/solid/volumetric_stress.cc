@@ -361,6 +361,35 @@ namespace Signorini
 
 
 
+  template <int dim>
+  double
+  VolumetricStress<dim>::value(const Cell       &cell,
+                               const Point<dim> &x,
+                               const LA::Vector &coefficients) const
+  {
+    if (!is_on(cell))
+      return 0;
+    const Functions phi    = functions(cell, x);
+    const auto     &number = indices(cell);
+    double          sum    = 0;
+    for (unsigned int i = 0; i < number.size(); ++i)
+      sum += phi[i] * coefficients(number[i]);
+    return sum;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  VolumetricStress<dim>::with_ghosts(const LA::Vector &values) const
+  {
+    LA::Vector result = zero_with_ghosts;
+    result            = values;
+    return result;
+  }
+
+
+
   // The coefficients of cells that this rank owns as a distributed vector. Collective.
   template <int dim>
   LA::Vector
@@ -386,8 +415,7 @@ namespace Signorini
   {
     if (empty())
       return;
-    LA::Vector all = zero_with_ghosts;
-    all            = values;
+    const LA::Vector all = with_ghosts(values);
     for (Basis &own : of_cells)
       for (unsigned int i = 0; i < functions_per_cell; ++i)
         own.coefficients[i] = all(own.indices[i]);

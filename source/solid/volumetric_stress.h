@@ -73,6 +73,10 @@ namespace Signorini
     double
     value(const Cell &cell, const dealii::Point<dim> &x) const;
 
+    /// The same with other coefficients. @param coefficients with ghosts, see with_ghosts()
+    double
+    value(const Cell &cell, const dealii::Point<dim> &x, const LA::Vector &coefficients) const;
+
     /// The functions phi of a cell at a point x of the reference configuration [force/volume]; m is
     /// the sum of coefficient times function.
     Functions
@@ -126,6 +130,10 @@ namespace Signorini
     /// The coefficients of all cells, without ghosts.
     LA::Vector
     coefficients() const;
+
+    /// The same coefficients with those of ghost cells. Collective. @param values without ghosts
+    LA::Vector
+    with_ghosts(const LA::Vector &values) const;
 
     /// Set the coefficients. Collective. @param values without ghosts
     void

@@ -77,6 +77,8 @@ namespace Signorini
           contact.free_rows(a).Tvmult_add(result.block(0), gap[a]);
           if (contact.has_stress())
             contact.S_free[a].Tvmult_add(result.block(0), stress[a]);
+          if (contact.has_volumetric_stress())
+            contact.S_volumetric[a].Tvmult_add(result.block(system.volumetric_block()), stress[a]);
         }
       return result;
     }
@@ -91,6 +93,7 @@ namespace Signorini
   Newton::dual(const LA::Vector   &u,
                const ContactState &state,
                const LA::Vector   &of_displacement,
+               const LA::Vector   &of_volumetric_stress,
                const PointVectors &of_traction,
                const double        reduction)
   {
@@ -111,6 +114,8 @@ namespace Signorini
     LA::BlockVector rhs = gradient(system, law, in, state.status, of_traction);
     rhs.block(0) += of_displacement;
     bodies.constraints().set_zero(rhs.block(0));
+    if (of_volumetric_stress.size() > 0)
+      rhs.block(system.volumetric_block()) += of_volumetric_stress;
 
     system.transpose(true);
     LA::BlockVector dual = system.zero();
@@ -127,6 +132,9 @@ namespace Signorini
     result.z = dual.block(0);
     bodies.constraints().distribute(result.z);
     result.z -= prescribed;
+
+    if (bodies.volumetric())
+      result.volumetric_stress = dual.block(system.volumetric_block());
 
     result.zeta = contact.zeros();
     for (unsigned int a = 0; a < n_q; ++a)

@@ -97,12 +97,15 @@ namespace Signorini
     /// linearisation of the contact law there; for Uzawa's method that of its penalty. Collective.
     /// @param state of contact at the solution
     /// @param of_displacement derivative by the free degrees of freedom
+    /// @param of_volumetric_stress derivative by the coefficients of the volumetric stress; empty:
+    /// zero
     /// @param of_traction derivative by each component of the tractions at the contact points
     /// @param reduction of the residual of the linear system
     DualSolution
     dual(const LA::Vector   &u,
          const ContactState &state,
          const LA::Vector   &of_displacement,
+         const LA::Vector   &of_volumetric_stress,
          const PointVectors &of_traction,
          double              reduction);
 

@@ -38,7 +38,7 @@ namespace
       value[0] = std::pow(x[0], degree + 1);
       return value;
     });
-    const CellErrors errors = cell_errors(*scene.elasticity, u, {u});
+    const CellErrors errors = cell_errors(*scene.elasticity, u, {{u, {}}});
     double energy = std::accumulate(errors.energy.begin(), errors.energy.end(), 0.), product = 0;
     product            = std::accumulate(errors.products[0].begin(), errors.products[0].end(), 0.);
     const double exact = E * exact_over_E * std::pow(1. / n, 2 * degree);

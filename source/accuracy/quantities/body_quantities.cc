@@ -3,8 +3,10 @@
 #include "fields/contact_force.h"
 #include "fields/probes.h"
 #include "solid/cell_nodes.h"
+#include "solid/deformation_kernel.h"
+#include "solid/pressure_kernel.h"
 #include "solid/reactions.h"
-#include "solid/stress.h"
+#include "solid/volume_kernel.h"
 
 #include <cmath>
 
@@ -40,19 +42,81 @@ namespace Signorini
       return result;
     }
 
-    /// @return the product of the stiffness with a displacement, on the free degrees of freedom.
-    /// Cells where the displacement is zero are skipped, since it is zero in most. Collective.
+    /// Adds the derivatives of the work of internal forces and follower pressures along a given
+    /// displacement w, cell by cell.
     template <int dim>
-    LA::Vector
-    forces_of(const Elasticity<dim> &elasticity, const LA::Vector &w)
+    class WorkDerivative
     {
-      const LA::Vector                     ghosted = elasticity.with_ghosts(w);
-      LA::Vector                           result  = elasticity.zero_vector();
-      StiffnessKernel<dim>                 kernel(elasticity.mesh(),
-                                  elasticity.finite_elements(),
-                                  elasticity.model());
-      FullMatrix<double>                   matrix;
-      Vector<double>                       values, force;
+    public:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      explicit WorkDerivative(const Elasticity<dim> &elasticity)
+        : elasticity(elasticity)
+        , linear(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
+        , nonlinear(elasticity.mesh(),
+                    elasticity.finite_elements(),
+                    elasticity.model(),
+                    &elasticity.volumetric_stress(),
+                    &elasticity.material_history(),
+                    &elasticity.thermal())
+        , pressures(elasticity)
+        , volume(elasticity)
+      {}
+
+      /// @return the derivatives by the displacements of one cell.
+      /// @param u displacement at the degrees of freedom of the cell
+      /// @param w at the same
+      const Vector<double> &
+      by_displacement(const Cell &cell, const Vector<double> &u, const Vector<double> &w)
+      {
+        const Material &material = elasticity.material(cell->material_id());
+        result.reinit(w.size());
+        if (elasticity.is_nonlinear())
+          nonlinear.assemble(cell, material, u, forces, &matrix);
+        else
+          linear.assemble(cell, material, matrix);
+        matrix.Tvmult(result, w);
+        if (!pressures.empty() && pressures.assemble(cell, u, forces, &matrix))
+          {
+            matrix *= -1;
+            matrix.Tvmult_add(result, w);
+          }
+        return result;
+      }
+
+      /// @return the same by the coefficients of the volumetric stress.
+      const Vector<double> &
+      by_volumetric_stress(const Cell &cell, const Vector<double> &u, const Vector<double> &w)
+      {
+        volume.assemble(cell, u, forces, &matrix);
+        result.reinit(forces.size());
+        matrix.vmult(result, w);
+        return result;
+      }
+
+    private:
+      const Elasticity<dim> &elasticity;
+      StiffnessKernel<dim>   linear;
+      DeformationKernel<dim> nonlinear;
+      PressureKernel<dim>    pressures;
+      VolumeKernel<dim>      volume;
+      FullMatrix<double>     matrix;
+      Vector<double>         forces, result;
+    };
+
+    /// Add the derivatives of the work of internal forces along a displacement w by the free
+    /// degrees of freedom. Cells where w is zero are skipped, since it is zero in most. Collective.
+    template <int dim>
+    void
+    add_work(const Snapshot<dim> &s, const LA::Vector &w, Functional &sum)
+    {
+      const Elasticity<dim> &elasticity = s.elasticity;
+      const auto            &volumetric = elasticity.volumetric_stress();
+      const LA::Vector       ghosted = elasticity.with_ghosts(w),
+                       displacement  = elasticity.with_ghosts(s.displacement);
+      sum.of_volumetric_stress       = volumetric.zero_vector();
+      WorkDerivative<dim>                  work(elasticity);
+      Vector<double>                       values, u;
       std::vector<types::global_dof_index> indices;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
@@ -62,13 +126,19 @@ namespace Signorini
             cell->get_dof_values(ghosted, values);
             if (values.linfty_norm() == 0)
               continue;
-            kernel.assemble(cell, elasticity.material(cell->material_id()), matrix);
-            force.reinit(indices.size());
-            matrix.vmult(force, values);
-            elasticity.constraints().distribute_local_to_global(force, indices, result);
+            u.reinit(indices.size());
+            cell->get_dof_values(displacement, u);
+            elasticity.constraints().distribute_local_to_global(
+              work.by_displacement(cell, u, values), indices, sum.of_displacement);
+            if (!volumetric.is_on(*cell))
+              continue;
+            const Vector<double> &of_volume = work.by_volumetric_stress(cell, u, values);
+            for (unsigned int k = 0; k < of_volume.size(); ++k)
+              sum.of_volumetric_stress(volumetric.indices(*cell)[k]) += of_volume[k];
           }
-      result.compress(VectorOperation::add);
-      return result;
+      sum.of_displacement.compress(VectorOperation::add);
+      if (!volumetric.empty())
+        sum.of_volumetric_stress.compress(VectorOperation::add);
     }
 
     /// @return the reaction of a support along a coordinate as functional w.(stiffness forces -
@@ -81,7 +151,7 @@ namespace Signorini
       const GapOperator &contact = s.contact;
       result.lift =
         indicator_on_support<dim>(s.elasticity, name, Point<dim>::unit_vector(direction));
-      result.of_displacement = forces_of(s.elasticity, result.lift);
+      add_work(s, result.lift, result);
       if (contact.empty())
         return result;
       for (unsigned int a = 0; a < contact.n_components(); ++a)
@@ -112,6 +182,24 @@ namespace Signorini
     value_at(const Snapshot<dim> &s, const Probe<dim> &probe)
     {
       return evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0];
+    }
+
+
+
+    /// Set the derivatives of a functional to those of displacement and stress at a probe, see
+    /// probe_functional(). Collective.
+    template <int dim>
+    void
+    set_derivative(const Snapshot<dim>         &s,
+                   const Probe<dim>            &probe,
+                   const Tensor<1, dim>        &of_displacement,
+                   const SymmetricTensor<2, 3> &of_stress,
+                   Functional                  &functional)
+    {
+      ProbeDerivative derivative =
+        probe_functional(s.elasticity, s.displacement, probe, of_displacement, of_stress);
+      functional.of_displacement      = std::move(derivative.of_displacement);
+      functional.of_volumetric_stress = std::move(derivative.of_volumetric_stress);
     }
 
 
@@ -194,8 +282,7 @@ namespace Signorini
       {
         Functional one = zero_functional(s);
         one.value      = u[d];
-        one.of_displacement =
-          probe_functional(s.elasticity, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {});
+        set_derivative(s, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {}, one);
         set_error_in_held_cell(u.norm(), one);
         components.push_back(one);
       }
@@ -217,7 +304,7 @@ namespace Signorini
     Functional                  result = zero_functional(s);
     const SymmetricTensor<2, 3> stress = value_at(s, probe).stress;
     result.value                       = stress[i][j];
-    result.of_displacement = probe_functional(s.elasticity, probe, Tensor<1, dim>(), which);
+    set_derivative(s, probe, Tensor<1, dim>(), which, result);
     set_error_in_held_cell(stress.norm(), result);
     return result;
   }
@@ -235,10 +322,7 @@ namespace Signorini
     Functional        result = zero_functional(s);
     result.value             = at.von_mises;
     if (at.von_mises > 0)
-      result.of_displacement = probe_functional(s.elasticity,
-                                                probe,
-                                                Tensor<1, dim>(),
-                                                1.5 / at.von_mises * deviator(at.stress));
+      set_derivative(s, probe, Tensor<1, dim>(), 1.5 / at.von_mises * deviator(at.stress), result);
     set_error_in_held_cell(at.von_mises, result);
     return result;
   }

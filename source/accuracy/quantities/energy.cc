@@ -3,16 +3,15 @@
 #include "solid/cell_displacement.h"
 #include "solid/cell_nodes.h"
 #include "solid/scalar_elements.h"
-#include "solid/stress.h"
+#include "solid/stress_state.h"
 #include <signorini/solid/model.h>
-
 
 namespace Signorini
 {
   using namespace dealii;
 
-  // The derivative of the energy is the vector of internal forces, the integral of sigma:eps(v).
-  // Its value is quadratic in the displacement, see error_estimate().
+  // The derivative of the energy is the vector of internal forces, the integral of P:Grad v; by the
+  // volumetric stress it is zero. Its second derivative is that of the error, see error_estimate().
   template <int dim>
   Functional
   energy(const QuantityName &, const Snapshot<dim> &s, const Probes<dim> &)
@@ -28,24 +27,23 @@ namespace Signorini
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const FEValues<dim> &values   = at.reinit(cell);
-          const Material      &material = elasticity.material(cell->material_id());
+          const FEValues<dim> &values = at.reinit(cell);
           read_indices<dim>(cell, indices);
           forces.reinit(indices.size());
           for (const unsigned int q : values.quadrature_point_indices())
             {
               const Point<dim> &x      = values.quadrature_point(q);
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
-              // The energy by the compliance, since sigma contains thermal strain; the derivative
-              // is sigma:eps of each shape function.
-              const auto sigma = elasticity.stress(*cell, at.gradient[q], at.u[q], x);
-              sum += weight / 2 * (sigma * compliance(material, sigma));
+              const StressState state =
+                stress_state(elasticity, *cell, at.gradient[q], at.u[q], x);
+              sum += weight * state.energy;
               for (unsigned int i = 0; i < indices.size(); ++i)
-                forces[i] += weight * (sigma * strain(elasticity.model(),
-                                                      material,
-                                                      values[displacement].gradient(i, q),
-                                                      values[displacement].value(i, q),
-                                                      x));
+                forces[i] +=
+                  weight * scalar_product(state.stress,
+                                          gradient_of_change(elasticity.model(),
+                                                             values[displacement].gradient(i, q),
+                                                             values[displacement].value(i, q),
+                                                             x));
             }
           elasticity.constraints().distribute_local_to_global(forces,
                                                               indices,

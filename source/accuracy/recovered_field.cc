@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accuracy/error_parts.h"
+#include "accuracy/recovered_field.h"
+
 #include "geometry/cell_rule.h"
 #include "linear_algebra/dense.h"
-#include "solid/stress.h"
 #include <signorini/solid/model.h>
 
 #include <algorithm>
@@ -61,25 +61,21 @@ namespace Signorini
 
 
 
-  // Stresses are sampled once in all locally owned and ghost cells; each call of operator() then
+  // Fields are sampled once in all locally owned and ghost cells; each call of operator() then
   // fits the samples of one patch.
   template <int dim>
-  RecoveredStress<dim>::RecoveredStress(const Elasticity<dim>    &elasticity,
-                                        const std::vector<Field> &fields)
+  RecoveredField<dim>::RecoveredField(const Elasticity<dim> &elasticity,
+                                      const unsigned int     n_values,
+                                      Sampler                sampler)
     : elasticity(elasticity)
+    , n_values(n_values)
+    , sampler(std::move(sampler))
     , rules(rules_up_to<dim>(elasticity.degree() + 1))
     , values(elasticity.mesh().mappings(),
              elasticity.finite_elements(),
              rules,
              update_values | update_gradients | update_quadrature_points | update_JxW_values)
   {
-    for (const Field &field : fields)
-      {
-        ghosted.push_back(elasticity.with_ghosts(*field.displacement));
-        has_thermal_strain.push_back(field.has_thermal_strain);
-      }
-    result.deviation.resize(fields.size());
-    result.stress.resize(fields.size());
     sample();
     find_neighbours();
   }
@@ -88,7 +84,7 @@ namespace Signorini
 
   template <int dim>
   unsigned int
-  RecoveredStress<dim>::rule(const Cell &cell, const unsigned int points_per_direction) const
+  RecoveredField<dim>::rule(const Cell &cell, const unsigned int points_per_direction) const
   {
     return (cell->reference_cell().is_simplex() ? rules.size() / 2 : 0) + points_per_direction - 1;
   }
@@ -98,7 +94,7 @@ namespace Signorini
   // The superconvergent points are those of the Gauss rule with `degree` points.
   template <int dim>
   unsigned int
-  RecoveredStress<dim>::points_per_direction(const Cell &cell) const
+  RecoveredField<dim>::points_per_direction(const Cell &cell) const
   {
     const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
     if (cell->reference_cell().is_simplex())
@@ -111,43 +107,14 @@ namespace Signorini
 
 
 
-  // Displacements are needed for the hoop strain of axisymmetric models only.
-  template <int dim>
-  void
-  RecoveredStress<dim>::stresses_at(const Cell                       &cell,
-                                    const FEValues<dim>              &at,
-                                    const std::vector<Point<dim>>    &points,
-                                    std::vector<std::vector<Stress>> &stresses) const
-  {
-    const FEValuesExtractors::Vector displacement(0);
-    const Material                  &material = elasticity.material(cell->material_id());
-    std::vector<Tensor<1, dim>>      u(points.size());
-    std::vector<Tensor<2, dim>>      gradients(points.size());
-    for (unsigned int f = 0; f < ghosted.size(); ++f)
-      {
-        at[displacement].get_function_gradients(ghosted[f], gradients);
-        if (elasticity.model() == Model::axisymmetric)
-          at[displacement].get_function_values(ghosted[f], u);
-        stresses[f].resize(points.size());
-        for (unsigned int q = 0; q < points.size(); ++q)
-          stresses[f][q] =
-            has_thermal_strain[f] ?
-              elasticity.stress(*cell, gradients[q], u[q], points[q]) :
-              stress(material, strain(elasticity.model(), material, gradients[q], u[q], points[q]));
-      }
-  }
-
-
-
   // All samples are in one array, cell by cell, point by point, with all components of all fields
   // together: one patch then reads contiguous pieces of memory.
   template <int dim>
   void
-  RecoveredStress<dim>::sample()
+  RecoveredField<dim>::sample()
   {
     const auto &triangulation = elasticity.mesh().triangulation();
     first_sample.assign(triangulation.n_active_cells() + 1, 0);
-    std::vector<std::vector<Stress>> stresses(ghosted.size());
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       {
         first_sample[cell->active_cell_index()] = places.size();
@@ -156,14 +123,9 @@ namespace Signorini
         values.reinit(cell, rule(cell, points_per_direction(cell)));
         const FEValues<dim> &at     = values.get_present_fe_values();
         const auto          &points = at.get_quadrature_points();
-        stresses_at(cell, at, points, stresses);
-        for (unsigned int q = 0; q < points.size(); ++q)
-          {
-            places.push_back(points[q]);
-            for (const auto &of_field : stresses)
-              for (unsigned int c = 0; c < n_components; ++c)
-                samples.push_back(of_field[q].access_raw_entry(c));
-          }
+        places.insert(places.end(), points.begin(), points.end());
+        samples.resize(places.size() * n_values);
+        sampler(cell, at, &samples[(places.size() - points.size()) * n_values]);
       }
     first_sample.back() = places.size();
   }
@@ -173,7 +135,7 @@ namespace Signorini
   // The cells at each vertex in compressed row storage, by a counting sort.
   template <int dim>
   void
-  RecoveredStress<dim>::find_neighbours()
+  RecoveredField<dim>::find_neighbours()
   {
     const auto &triangulation = elasticity.mesh().triangulation();
     first_at_vertex.assign(triangulation.n_vertices() + 1, 0);
@@ -200,7 +162,7 @@ namespace Signorini
   // The cell and all cells that share a vertex with it, without those of other materials.
   template <int dim>
   void
-  RecoveredStress<dim>::collect_patch(const Cell &cell)
+  RecoveredField<dim>::collect_patch(const Cell &cell)
   {
     patch.clear();
     for (const unsigned int v : cell->vertex_indices())
@@ -223,12 +185,12 @@ namespace Signorini
   // Equation (8.5) of doc/theory: coordinates are relative to the centre of the cell and scaled by
   // its diameter, all components of all fields are right-hand sides of one normal matrix.
   template <int dim>
-  const typename RecoveredStress<dim>::Deviations &
-  RecoveredStress<dim>::operator()(const Cell &cell)
+  const typename RecoveredField<dim>::Deviations &
+  RecoveredField<dim>::operator()(const Cell &cell)
   {
     const unsigned int   degree = elasticity.degree(elasticity.mesh().body(cell));
     const Monomials<dim> monomials(degree);
-    const unsigned int   n = monomials.n, n_values = ghosted.size() * n_components;
+    const unsigned int   n      = monomials.n;
     const Point<dim>     center = cell->center();
     const double         scale  = 1 / cell->diameter();
 
@@ -240,7 +202,7 @@ namespace Signorini
       for (unsigned int s = first_sample[c]; s < first_sample[c + 1]; ++s)
         {
           const auto          phi   = monomials(scale * (places[s] - center));
-          const double *const value = &samples[s * n_values];
+          const double *const value = &samples[std::size_t(s) * n_values];
           for (unsigned int i = 0; i < n; ++i)
             {
               for (unsigned int j = 0; j <= i; ++j)
@@ -260,29 +222,27 @@ namespace Signorini
     values.reinit(cell, rule(cell, degree + 1));
     const FEValues<dim> &at     = values.get_present_fe_values();
     const auto          &points = at.get_quadrature_points();
-    stresses_at(cell, at, points, result.stress);
     result.weights.resize(points.size());
-    for (auto &of_field : result.deviation)
-      of_field.resize(points.size());
+    result.computed.resize(points.size() * n_values);
+    result.deviation.resize(points.size() * n_values);
+    sampler(cell, at, result.computed.data());
     for (unsigned int q = 0; q < points.size(); ++q)
       {
         result.weights[q] = at.JxW(q) * measure(elasticity.model(), points[q]);
         const auto phi    = monomials(scale * (points[q] - center));
-        for (unsigned int f = 0; f < ghosted.size(); ++f)
-          for (unsigned int c = 0; c < n_components; ++c)
-            {
-              double recovered = 0;
-              for (unsigned int i = 0; i < n; ++i)
-                recovered += phi[i] * coefficients(i, f * n_components + c);
-              result.deviation[f][q].access_raw_entry(c) =
-                recovered - result.stress[f][q].access_raw_entry(c);
-            }
+        for (unsigned int k = q * n_values; k < (q + 1) * n_values; ++k)
+          {
+            double recovered = 0;
+            for (unsigned int i = 0; i < n; ++i)
+              recovered += phi[i] * coefficients(i, k - q * n_values);
+            result.deviation[k] = recovered - result.computed[k];
+          }
       }
     return result;
   }
 
 
 
-  template class RecoveredStress<2>;
-  template class RecoveredStress<3>;
+  template class RecoveredField<2>;
+  template class RecoveredField<3>;
 } // namespace Signorini
