@@ -35,15 +35,18 @@ namespace Signorini
 
 
 
-  // sigma = P F^T/J, with dJ = J tr(F^-1 G).
+  // sigma = P F^T/J, with dJ = J tr(F^-1 G). In plane stress the thickness changes as well:
+  // 2 F_zz dF_zz = dC_zz.
   SymmetricTensor<2, 3>
   StressState::change_of_cauchy_stress(const Tensor<2, 3> &G, const double q) const
   {
     const Tensor<2, 3> of_P = change_of_stress(G, q);
     if (is_small)
       return symmetrize(of_P);
-    return symmetrize(of_P * transpose(F) + stress * transpose(G) -
-                      trace(inverse * G) * stress * transpose(F)) /
+    Tensor<2, 3> of_F = G;
+    of_F[2][2] += thickness * symmetrize(transpose(F) * G) / F[2][2];
+    return symmetrize(of_P * transpose(F) + stress * transpose(of_F) -
+                      trace(inverse * of_F) * stress * transpose(F)) /
            determinant(F);
   }
 
@@ -112,6 +115,13 @@ namespace Signorini
       {
         state.F       = F;
         state.inverse = invert(F);
+        if (elasticity.model() == Model::plane_stress)
+          {
+            const auto T = point.at(symmetrize(transpose(F) * F), ResponseOrder::tangent).tangent;
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int l = k; l < dim; ++l)
+                state.thickness[k][l] = -T[2][2][k][l] / T[2][2][2][2];
+          }
       }
     if (material.constitutive_law)
       state.stress = state.F * Tensor<2, 3>(state.response.stress);

@@ -42,6 +42,9 @@ namespace Signorini
     bool                 is_small = true, is_mixed = false;
     /// 1/lambda of the volumetric stress.
     double compliance = 0;
+    /// In plane stress at finite strain, the change of C_zz with the other components of C, for
+    /// which S_zz remains zero; otherwise zero.
+    dealii::SymmetricTensor<2, 3> thickness;
   };
 
   /// @return the gradient of a change of displacement in three dimensions, with the hoop strain of
