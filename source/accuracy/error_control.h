@@ -23,6 +23,13 @@ namespace Signorini
                  const RefinementSettings  &settings,
                  const std::vector<double> &least = {});
 
+    /// Replace the smallest sizes of the quantities. @param sizes one for each, or none
+    void
+    set_least(const std::vector<double> &sizes)
+    {
+      least = sizes;
+    }
+
     /// Append the estimates on the next, finer mesh.
     /// @param on_next_mesh one entry for each quantity
     void
@@ -112,7 +119,7 @@ namespace Signorini
 
     const Goals              &goals;
     const RefinementSettings &settings;
-    const std::vector<double> least;
+    std::vector<double>       least;
     std::vector<ErrorHistory> histories;
   };
 } // namespace Signorini

@@ -23,9 +23,9 @@ namespace Signorini
       "Load steps",
       steps,
       {{"all", JudgedSteps::all}, {"last", JudgedSteps::last}},
-      "load steps that must satisfy the Target error; all: the mesh is refined in each of them if "
-      "needed; last: the mesh is refined for the last one, and the others use that mesh and have no "
-      "error bounds; with friction always as last");
+      "load steps that have error bounds, and must satisfy the Target error; all: the mesh is refined "
+      "for each of them if needed; last: the mesh is refined for the last one, and the others use "
+      "that mesh and have no error bounds");
     section.add(
       "Time limit",
       time_limit,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace Signorini
@@ -90,20 +91,23 @@ namespace Signorini
     Json                accuracy = accuracy_results(scene.goals, control, estimate);
     if (!is_end)
       step_accuracy = accuracy;
+    const ErrorControl  *refined_for = &control;
+    const ErrorEstimate *chosen      = &estimate;
     if (scene.goals.has_targets())
       {
         tolerance             = control.tolerance(tolerance);
         reason_targets_missed = control.obstacle();
-        if (control.is_met(true) || !reason_targets_missed.empty())
+        std::tie(refined_for, chosen) = worst_load_step(control, estimate);
+        if (!refined_for)
           return false;
-        const double stiffening = control.stiffening();
+        const double stiffening = refined_for->stiffening();
         problem.decisions.penalty_factor *= stiffening;
         accuracy["stiffening"] = stiffening;
         if (stiffening > 1)
           out << "  penalties times " << short_text(stiffening) << std::endl;
       }
     TimerOutput::Scope scope(timer, "refinement");
-    if (!mark(control, estimate))
+    if (!mark(*refined_for, *chosen))
       return false;
     if (!is_end)
       accuracy["time"] = problem.state.time;
@@ -114,7 +118,26 @@ namespace Signorini
       problem.p_refine(std::exchange(next_quadratic, {}));
     if (is_end)
       end_judged_on.reset();
+    worst = {};
     return true;
+  }
+
+
+
+  // Histories that depend on their path are solved on each mesh from the start, so that all load
+  // steps have been judged on it when the end has.
+  template <int dim>
+  std::pair<const ErrorControl *, const ErrorEstimate *>
+  AdaptiveRefinement<dim>::worst_load_step(ErrorControl &control, const ErrorEstimate &of_end)
+  {
+    const bool end_is_open = !control.is_met(true) && reason_targets_missed.empty();
+    if (&control == &this->control && worst.control && !worst.control->is_met(true) &&
+        worst.control->obstacle().empty() &&
+        (!end_is_open || worst.control->excess_error() > control.excess_error()))
+      return {worst.control, &worst.estimate};
+    if (!end_is_open)
+      return {nullptr, nullptr};
+    return {&control, &of_end};
   }
 
 
@@ -197,6 +220,61 @@ namespace Signorini
 
 
 
+  // Values that pass through zero have to be known relative to their size at the end, or to the
+  // largest so far on the first mesh.
+  template <int dim>
+  const ErrorControl &
+  AdaptiveRefinement<dim>::judge_on_path(const unsigned int cycle)
+  {
+    constexpr double small = 0.01;
+    const auto [position, is_new] =
+      steps_of_path.try_emplace(problem.state.time,
+                                StepOfPath{ErrorControl(scene.goals, scene.refinement), cycle});
+    StepOfPath         &step     = position->second;
+    const ErrorEstimate estimate = estimate_errors();
+    if (!is_new && step.judged_on == cycle)
+      step.control.replace_last(estimate.quantities);
+    else
+      step.control.add(estimate.quantities);
+    step.judged_on = cycle;
+    std::vector<double> least(scene.goals.quantities.size());
+    for (unsigned int i = 0; i < least.size(); ++i)
+      {
+        for (const auto &[time, other] : steps_of_path)
+          least[i] =
+            std::max(least[i], small * std::abs(other.control.quantities()[i].last().value));
+        if (control.quantities()[i].size() > 0)
+          least[i] = small * std::abs(control.quantities()[i].last().value);
+      }
+    step.control.set_least(least);
+    report_errors(step.control);
+    step_accuracy = accuracy_results(scene.goals, step.control, estimate);
+    if (!worst.control || step.control.excess_error() > worst.control->excess_error())
+      {
+        worst.control  = &step.control;
+        worst.estimate = estimate;
+      }
+    return step.control;
+  }
+
+
+
+  // Load steps between those for which the path was measured have the errors of the next one.
+  template <int dim>
+  std::vector<double>
+  AdaptiveRefinement<dim>::errors_of_path() const
+  {
+    constexpr double rounding = 1e-9;
+    if (path_errors.empty())
+      return {};
+    unsigned int step = 0;
+    while (step + 1 < path_ends.size() && path_ends[step] < (1 - rounding) * problem.state.time)
+      ++step;
+    return path_errors.errors(step, path_parts);
+  }
+
+
+
   template <int dim>
   std::string
   AdaptiveRefinement<dim>::missed_targets(const ErrorControl &control) const
@@ -259,7 +337,7 @@ namespace Signorini
                           functionals,
                           duals,
                           is_consistent,
-                          path_errors,
+                          errors_of_path(),
                           problem.equilibrium->uses_current_geometry() ?
                             0. :
                             problem.equilibrium->neglected().value_or(0.));

@@ -3,11 +3,13 @@
 
 #include "accuracy/error_control.h"
 #include "accuracy/error_estimate.h"
+#include "accuracy/path_errors.h"
 #include "driver/problem.h"
 #include "output/recorder.h"
 
 #include <deal.II/base/timer.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +42,12 @@ namespace Signorini
     /// nothing about refinement for the end.
     ErrorEstimate
     judge(ErrorControl &control, unsigned int cycle);
+    /// Estimate the errors of a load step before the end, of a history that depends on its path
+    /// and is solved on each mesh. improve() refines for that of them whose errors are too large by
+    /// the largest factor, if that of the end is smaller.
+    /// @return the history of its solutions on all meshes
+    const ErrorControl &
+    judge_on_path(unsigned int cycle);
     /// After the last mesh on which the targets could have been met. @return why they were not met,
     /// for a message; empty: they are
     std::string
@@ -58,7 +66,11 @@ namespace Signorini
     /// The accuracy of the last load step, for its results; null: not estimated.
     Json step_accuracy;
     /// Errors of the quantities by the length of load steps; empty: not measured, or none.
-    std::vector<double> path_errors;
+    PathErrors path_errors;
+    /// Ends of the load steps to which they belong.
+    std::vector<double> path_ends;
+    /// The number of equal parts in which each load step is solved, if the path matters.
+    unsigned int path_parts = 1;
     /// Why targets were missed, for a message; empty: no reason is known.
     std::string reason_targets_missed;
 
@@ -73,6 +85,15 @@ namespace Signorini
     /// The estimated errors of the last solution. Collective.
     ErrorEstimate
     estimate_errors();
+    /// The errors of the path at the present time; empty: none are known.
+    std::vector<double>
+    errors_of_path() const;
+    /// The control and estimate for which the mesh is refined: those of the end, or of the load
+    /// step of the path whose error is too large by a larger factor. Null: none is too large, or
+    /// finer meshes would not help.
+    /// @param of_end estimate of the end
+    std::pair<const ErrorControl *, const ErrorEstimate *>
+    worst_load_step(ErrorControl &control, const ErrorEstimate &of_end);
 
     const Scene<dim>           &scene;
     Problem<dim>               &problem;
@@ -80,6 +101,22 @@ namespace Signorini
     dealii::ConditionalOStream &out;
     dealii::TimerOutput        &timer;
     const dealii::Timer        &clock;
+
+    /// A load step of the path before the end.
+    struct StepOfPath
+    {
+      ErrorControl control;
+      unsigned int judged_on; ///< number of the mesh
+    };
+
+    /// By the time of their ends.
+    std::map<double, StepOfPath> steps_of_path;
+    /// Of those on the present mesh the one with the largest errors, and its estimate.
+    struct
+    {
+      const ErrorControl *control = nullptr;
+      ErrorEstimate       estimate;
+    } worst;
 
     /// Wall time at which the last mesh was estimated [s].
     double last_mesh_at = 0;

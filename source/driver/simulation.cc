@@ -54,7 +54,12 @@ namespace Signorini
     , problem(this->scene, comm, out, timer, [this] { return watch(); })
     , refinement(this->scene, problem, comm, out, timer, clock)
     , origin(origin)
-    , path_control(scene.load_steps.path_error)
+    // A target is for the sum of all errors.
+    , path_control(scene.goals.has_targets() ?
+                     std::min(scene.load_steps.path_error,
+                              0.5 * *std::min_element(scene.goals.targets.begin(),
+                                                      scene.goals.targets.end())) :
+                     scene.load_steps.path_error)
   {
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())

@@ -89,14 +89,27 @@ namespace Signorini
     bool
     solve_from_touch(double t, double tolerance);
     /// Measure by how much the quantities change with the length of the load steps, on the present
-    /// mesh, if friction lets them depend on it. Does not change the state.
+    /// mesh, if they depend on it, and choose the number of parts of load steps. Does not change the
+    /// state.
     void
     measure_path_errors();
     /// Solve the load history from the undeformed state, each load step in equal parts.
     /// @param ends of the load steps
+    /// @param values of the quantities at all ends: out
     /// @return whether all could be solved
     bool
-    solve_in_parts(const std::vector<double> &ends, unsigned int parts, double tolerance);
+    solve_in_parts(const std::vector<double> &ends,
+                   unsigned int               parts,
+                   double                     tolerance,
+                   PathErrors::Values        &values);
+    /// Solve a load step in a number of equal parts.
+    bool
+    solve_in_parts(double t, unsigned int parts, double tolerance);
+    /// The least number of parts with which the path errors are small beside the targets, of those
+    /// that were tried, or up to a limit.
+    /// @param values of the quantities
+    unsigned int
+    parts_for_targets(const PathErrors::Values &values, unsigned int first, unsigned int most) const;
     /// The values of the quantities at the present solution.
     std::vector<double>
     quantity_values();
@@ -116,6 +129,13 @@ namespace Signorini
     /// Refine the mesh, see AdaptiveRefinement::improve().
     bool
     improve(ErrorControl &control);
+    /// Estimate the errors of a load step of the last mesh, and meet the targets. Returns false if
+    /// it cannot be solved on a finer mesh.
+    bool
+    judge_step();
+    /// Record whether a load step has met the targets.
+    void
+    add_targets(const ErrorControl &control);
     /// Meet the targets at a load step, on finer meshes if necessary; at the last one if other load
     /// steps have changed the mesh since it was estimated. Returns false if the step cannot be
     /// solved on a finer mesh.

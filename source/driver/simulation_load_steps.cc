@@ -47,6 +47,9 @@ namespace Signorini
     return_to_start();
     return apply_load_history(tolerance, start, [&](auto) {
       refinement.n_steps += problem.report().steps.size();
+      if (problem.equilibrium->is_path_dependent() && scene.goals.judge_all_steps() &&
+          start.time < end)
+        refinement.judge_on_path(position.cycle);
       return true;
     });
   }
@@ -91,9 +94,7 @@ namespace Signorini
       // Meshes that were made for other load steps may be too coarse for the last one by a little.
       const bool is_judged =
         is_finished() && (!refinement.end_judged_on || *refinement.end_judged_on == position.cycle);
-      // With friction a load step is not repeated on another mesh.
-      if (scene.goals.judge_all_steps() && !problem.equilibrium->is_path_dependent() &&
-          !is_judged && !improve_step())
+      if (scene.goals.judge_all_steps() && !is_judged && !judge_step())
         return false;
       record_step(step);
       pass_checkpoint();
@@ -112,6 +113,37 @@ namespace Signorini
     // The state of the last checkpoint belongs to the old mesh.
     checkpoints->forget();
     return true;
+  }
+
+
+
+  // With targets the mesh is refined for the load step, unless the path decides: then a load step
+  // is not repeated on another mesh.
+  template <int dim>
+  bool
+  Simulation<dim>::judge_step()
+  {
+    const bool has_targets = scene.goals.has_targets();
+    if (has_targets && !problem.equilibrium->is_path_dependent())
+      return improve_step();
+    if (is_finished()) // the result is judged last
+      return true;
+    const ErrorControl &control = refinement.judge_on_path(position.cycle);
+    if (has_targets)
+      add_targets(control);
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::add_targets(const ErrorControl &control)
+  {
+    const std::string why              = refinement.missed_targets(control);
+    refinement.step_accuracy["met"]    = why.empty();
+    refinement.step_accuracy["reason"] = why;
+    recorder->add_targets(control, why, position.time);
   }
 
 
@@ -151,10 +183,7 @@ namespace Signorini
       }
     if (is_end)
       return true;
-    const std::string why              = refinement.missed_targets(of_load);
-    refinement.step_accuracy["met"]    = why.empty();
-    refinement.step_accuracy["reason"] = why;
-    recorder->add_targets(of_load, why, position.time);
+    add_targets(of_load);
     refinement.reason_targets_missed = why_at_end;
     return true;
   }

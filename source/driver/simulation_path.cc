@@ -83,10 +83,10 @@ namespace Signorini
   {
     my_path_error.reset();
     my_deviation = 0;
-    if (!scene.contact.chosen().has_friction)
+    if (!problem.equilibrium->is_path_dependent())
       return problem.solve(t, tolerance);
     if (!controls_path())
-      return solve_following_turn(t, tolerance);
+      return solve_in_parts(t, refinement.path_parts, tolerance);
     const State before = problem.state;
     // Loads that turn within the step, as from pulling to pushing, would not be followed.
     if (may_be_halved &&
@@ -286,25 +286,75 @@ namespace Signorini
 
   template <int dim>
   bool
-  Simulation<dim>::solve_in_parts(const std::vector<double> &ends,
-                                  const unsigned int         parts,
-                                  const double               tolerance)
+  Simulation<dim>::solve_in_parts(const double       t,
+                                  const unsigned int parts,
+                                  const double       tolerance)
   {
-    return_to_start();
-    double from = 0;
-    for (const double end : ends)
+    const double from = problem.state.time;
+    for (unsigned int k = 1; k <= parts; ++k)
       {
-        for (unsigned int k = 1; k <= parts; ++k)
-          if (!solve_following_turn(k == parts ? end : from + k * (end - from) / parts, tolerance))
-            return false;
-        from = end;
+        const double end = k == parts ? t : from + k * (t - from) / parts;
+        if (!(scene.contact.chosen().has_friction ? solve_following_turn(end, tolerance) :
+                                                    problem.solve(end, tolerance)))
+          return false;
       }
     return true;
   }
 
 
 
-  // The load history with its load steps, with halves and with quarters of them, (8.18).
+  template <int dim>
+  bool
+  Simulation<dim>::solve_in_parts(const std::vector<double> &ends,
+                                  const unsigned int         parts,
+                                  const double               tolerance,
+                                  PathErrors::Values        &values)
+  {
+    return_to_start();
+    for (const double end : ends)
+      {
+        if (!solve_in_parts(end, parts, tolerance))
+          return false;
+        values.push_back(quantity_values());
+      }
+    return true;
+  }
+
+
+
+  // A third of the targets is for the path. Values that pass through zero have to be known relative
+  // to their size at the end.
+  template <int dim>
+  unsigned int
+  Simulation<dim>::parts_for_targets(const PathErrors::Values &values,
+                                     const unsigned int        first,
+                                     const unsigned int        most) const
+  {
+    constexpr double share = 0.3, small = 0.01;
+    const auto       is_enough = [&](const unsigned int parts) {
+      for (unsigned int step = scene.goals.judge_all_steps() ? 0 : values.size() - 1;
+           step < values.size();
+           ++step)
+        {
+          const std::vector<double> errors = refinement.path_errors.errors(step, parts);
+          for (unsigned int i = 0; i < errors.size(); ++i)
+            if (errors[i] > share * scene.goals.targets[i] *
+                              std::max(std::abs(values[step][i]),
+                                       small * std::abs(values.back()[i])))
+              return false;
+        }
+      return true;
+    };
+    unsigned int parts = first;
+    while (parts < most && !is_enough(parts))
+      parts *= 2;
+    return parts;
+  }
+
+
+
+  // The load history with its load steps, with halves and with quarters of them, (8.18). With
+  // automatic load steps the solution is that of halves, see solve_step().
   template <int dim>
   void
   Simulation<dim>::measure_path_errors()
@@ -313,68 +363,80 @@ namespace Signorini
         refinement.end_judged_on == position.cycle)
       return;
     // What was measured on the mesh before is kept, if that mesh resolved the quantities and the
-    // path hardly mattered.
-    constexpr double                 small       = 0.1;
-    const std::vector<ErrorHistory> &histories   = refinement.control.quantities();
-    const auto                       is_resolved = [](const ErrorHistory &history) {
-      if (history.size() == 0)
-        return false;
-      const double bound = history.last_bounded().error_bound, path = history.last().parts.path;
-      return bound - path <= small * std::abs(history.last().value) && path <= small * bound;
+    // path hardly mattered; if it mattered, the rate at which the errors decrease is kept.
+    constexpr double                 small     = 0.1;
+    constexpr unsigned int           most      = 64;
+    const std::vector<ErrorHistory> &histories = refinement.control.quantities();
+    const auto                       of_all    = [&](const auto &holds) {
+      return !refinement.path_errors.empty() &&
+             std::all_of(histories.begin(), histories.end(), [&](const ErrorHistory &history) {
+               return history.size() > 0 && holds(history.last_bounded().error_bound,
+                                                  history.last().parts.path,
+                                                  std::abs(history.last().value));
+             });
     };
-    refinement.path_errors.clear();
-    if (std::all_of(histories.begin(), histories.end(), is_resolved))
-      {
-        for (const ErrorHistory &history : histories)
-          refinement.path_errors.push_back(history.last().parts.path);
-        return;
-      }
+    const bool is_resolved   = of_all([](const double bound, const double path, const double value) {
+      return bound - path <= small * value;
+    }),
+               hardly_matters = of_all([](const double bound, const double path, double) {
+                 return path <= small * bound;
+               });
+    if (is_resolved && hardly_matters)
+      return;
 
-    out << "  the path: the load steps, their halves and their quarters" << std::endl;
+    unsigned int      &parts       = refinement.path_parts;
+    const unsigned int n_histories = is_resolved ? 2 : 3;
+    unsigned int       first       = is_resolved ? std::max(1u, parts / 2) : parts;
+    out << "  the path: the load steps in " << first << ", " << 2 * first
+        << (n_histories == 2 ? "" : ", " + std::to_string(4 * first)) << " parts" << std::endl;
     // The tolerances of estimates on coarse meshes would hide the path.
     const double tolerance = scene.newton.tolerance;
     const State  before    = problem.state;
     return_to_start();
-    Position                         start;
-    std::vector<double>              ends;
-    bool                             is_solved = apply_load_history(tolerance, start, [&](auto) {
-      ends.push_back(start.time);
+    Position start;
+    parts = first;
+    refinement.path_ends.clear();
+    std::vector<PathErrors::Values> values(1);
+    bool                            is_solved = apply_load_history(tolerance, start, [&](auto) {
+      refinement.path_ends.push_back(start.time);
+      values[0].push_back(quantity_values());
       return true;
     });
-    std::vector<std::vector<double>> values;
-    for (const unsigned int parts : {1, 2, 4})
+    if (controls_path())
       {
-        is_solved = is_solved && (parts == 1 || solve_in_parts(ends, parts, tolerance));
-        if (is_solved)
-          values.push_back(quantity_values());
+        first  = 1;
+        parts  = 2;
+        values = {{}, values[0]};
+        is_solved = is_solved && solve_in_parts(refinement.path_ends, 1, tolerance, values[0]);
+      }
+    while (is_solved && values.size() < n_histories)
+      {
+        values.emplace_back();
+        is_solved = solve_in_parts(refinement.path_ends,
+                                   first << (values.size() - 1),
+                                   tolerance,
+                                   values.back());
       }
     problem.equilibrium->return_to(before);
 
-    // The changes decrease with the square root of the length of the load steps at least; a path
-    // that could not be followed with shorter steps is not known at all.
-    constexpr double least = 0.5, most = 0.85, safety = 1.3;
-    for (unsigned int i = 0; i < scene.goals.quantities.size(); ++i)
-      {
-        if (!is_solved)
-          {
-            refinement.path_errors.push_back(values.empty() ? std::numeric_limits<double>::max() :
-                                                              std::abs(values[0][i]));
-            continue;
-          }
-        const double first = std::abs(values[1][i] - values[0][i]),
-                     last  = std::abs(values[2][i] - values[1][i]),
-                     ratio = std::clamp(first > 0 ? last / first : most, least, most);
-        refinement.path_errors.push_back(safety * (first + last / (1 - ratio)));
-      }
+    // A path that could not be followed with shorter steps is not known at all.
+    if (!is_solved)
+      values = {values[controls_path() && !values[1].empty() ? 1 : 0]};
+    for (PathErrors::Values &history : values)
+      history.resize(std::max<std::size_t>(1, refinement.path_ends.size()),
+                     std::vector<double>(histories.size(), std::numeric_limits<double>::max()));
+    refinement.path_errors.set(first, values);
+    if (scene.goals.has_targets() && is_solved && !controls_path())
+      parts =
+        parts_for_targets(values.back(), first, is_resolved ? most : first << (n_histories - 1));
+    if (parts > 1 && !controls_path())
+      out << "  the path: each load step is solved in " << parts << " parts" << std::endl;
   }
 
 
 
 #define INSTANTIATE(dim)                                                                           \
   template bool                Simulation<dim>::controls_path() const;                             \
-  template bool                Simulation<dim>::solve_in_parts(const std::vector<double> &,        \
-                                                unsigned int,                       \
-                                                double);                            \
   template std::vector<double> Simulation<dim>::quantity_values();                                 \
   template void                Simulation<dim>::measure_path_errors();                             \
   template PathControl::Size   Simulation<dim>::largest_of_path(const std::vector<double> &,       \

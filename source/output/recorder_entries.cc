@@ -102,7 +102,7 @@ namespace Signorini
                                     results["load_steps"].end(),
                                     [](const Json &step) { return step["accuracy"].is_null(); });
     if (scene.goals.has_targets() && all > 1)
-      verdict.add(check_judged_steps(open, all, scene.contact.chosen().has_friction), end);
+      verdict.add(check_judged_steps(open, all), end);
     results["verdict"] = verdict.json();
   }
 

@@ -35,7 +35,7 @@ namespace Signorini
 
   // Load steps without an estimate have used the mesh that another one needed.
   std::vector<CheckResult>
-  check_judged_steps(const unsigned int not_judged, const unsigned int all, const bool has_friction)
+  check_judged_steps(const unsigned int not_judged, const unsigned int all)
   {
     CheckResult check_result;
     check_result.check   = "load steps without error bounds";
@@ -45,11 +45,7 @@ namespace Signorini
     check_result.message =
       std::to_string(not_judged) + " of " + std::to_string(all) +
       " load steps have no error bounds; they use the mesh of the last one, and their errors are unknown";
-    check_result.advice =
-      has_friction ?
-        "with friction only the last load step has error bounds; set Load steps/End time "
-        "to that of another one for its bounds" :
-        "set Accuracy/Load steps = all";
+    check_result.advice = "set Accuracy/Load steps = all";
     return {check_result};
   }
 } // namespace Signorini

@@ -69,9 +69,8 @@ namespace Signorini
   /// @return the check whether load steps of a run with targets have no error bounds.
   /// @param not_judged number of such load steps
   /// @param all number of all load steps
-  /// @param has_friction whether only the last one can have them
   std::vector<CheckResult>
-  check_judged_steps(unsigned int not_judged, unsigned int all, bool has_friction);
+  check_judged_steps(unsigned int not_judged, unsigned int all);
 
   // The single checks:
 

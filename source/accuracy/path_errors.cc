@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accuracy/path_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  // The changes decrease with the square root of the length of the load steps at least, and a
+  // smaller observed ratio than that of order one may be chance.
+  void
+  PathErrors::set(const unsigned int parts, const std::vector<Values> &histories)
+  {
+    constexpr double                       least = 0.5, most = 0.85;
+    const std::vector<std::vector<Change>> before  = std::move(changes);
+    const Values                          &coarse  = histories.front();
+    first_parts                                    = parts;
+    changes.assign(coarse.size(), {});
+    for (unsigned int step = 0; step < coarse.size(); ++step)
+      for (unsigned int i = 0; i < coarse[step].size(); ++i)
+        {
+          Change one{{}, most, std::abs(coarse[step][i])};
+          for (unsigned int k = 1; k < histories.size(); ++k)
+            one.by_doubling.push_back(std::abs(histories[k][step][i] - histories[k - 1][step][i]));
+          if (one.by_doubling.size() > 1)
+            one.ratio =
+              one.by_doubling[0] > 0 ?
+                std::clamp(one.by_doubling[1] / one.by_doubling[0], least, most) :
+                most;
+          else if (step < before.size() && i < before[step].size())
+            one.ratio = before[step][i].ratio;
+          changes[step].push_back(one);
+        }
+  }
+
+
+
+  // The sum of the changes with all further doublings, those that were not tried as a geometric
+  // series.
+  std::vector<double>
+  PathErrors::errors(const unsigned int load_step, const unsigned int parts) const
+  {
+    constexpr double    safety   = 1.3;
+    const int           doubling = std::lround(std::log2(double(parts) / first_parts));
+    std::vector<double> result;
+    for (const Change &one : changes[load_step])
+      {
+        const int n = one.by_doubling.size();
+        if (n == 0)
+          {
+            result.push_back(one.size);
+            continue;
+          }
+        double rest = one.by_doubling.back() * one.ratio / (1 - one.ratio);
+        for (int k = n - 1; k >= std::max(doubling, 0); --k)
+          rest += one.by_doubling[k];
+        for (int k = n; k < doubling; ++k)
+          rest *= one.ratio;
+        result.push_back(safety * rest);
+      }
+    return result;
+  }
+} // namespace Signorini
