@@ -153,6 +153,34 @@ namespace Signorini
         }
     }
 
+    /// Add (8.21) of one pair: the sum of omega (p* - p) dA over all points.
+    template <int dim>
+    void
+    add_pointwise_contact(const Snapshot<dim> &s,
+                          const Functional    &functional,
+                          const LA::Vector    &z,
+                          const unsigned int   pair,
+                          std::vector<double> &of_cells)
+    {
+      const ContactSurface<dim>             &surface = s.surfaces[pair];
+      std::vector<const ContactPoint<dim> *> points;
+      for (const ContactPoint<dim> &point : surface.points)
+        points.push_back(&point);
+      const std::vector<double> opened = gap_increments(points, z),
+                                computed         = point_values(s, pair).pressure;
+      const LA::Vector density                   = by_pressure(s, functional, pair),
+                       pressure = s.elasticity.with_ghosts(recovered_pressure(s, pair));
+      for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          const ContactPoint<dim> &point = *points[q];
+          const double felt = opened[q] + value_at(surface, point, density);
+          const auto   cell = s.elasticity.mesh().triangulation().create_cell_iterator(
+            surface.slave_faces[point.face].cell);
+          of_cells[cell->active_cell_index()] +=
+            point.weight * (value_at(surface, point, pressure) - computed[q]) * felt;
+        }
+    }
+
     /// @return whether a face has both nodes in contact and others.
     template <int dim>
     bool
@@ -226,6 +254,21 @@ namespace Signorini
 
   template <int dim>
   std::vector<double>
+  pointwise_contact_errors(const Snapshot<dim> &s,
+                           const Functional    &functional,
+                           const LA::Vector    &z)
+  {
+    std::vector<double> result(s.elasticity.mesh().triangulation().n_active_cells(), 0.);
+    if (s.contact.has_stress())
+      for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
+        add_pointwise_contact(s, functional, z, pair, result);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
   dirichlet_contact_errors(const Snapshot<dim> &s,
                            const Functional    &functional,
                            const LA::Vector    &z)
@@ -244,6 +287,10 @@ namespace Signorini
   unresolved_contact(const Snapshot<2> &, const Functional &, const LA::Vector &);
   template std::vector<double>
   unresolved_contact(const Snapshot<3> &, const Functional &, const LA::Vector &);
+  template std::vector<double>
+  pointwise_contact_errors(const Snapshot<2> &, const Functional &, const LA::Vector &);
+  template std::vector<double>
+  pointwise_contact_errors(const Snapshot<3> &, const Functional &, const LA::Vector &);
   template std::vector<double>
   dirichlet_contact_errors(const Snapshot<2> &, const Functional &, const LA::Vector &);
   template std::vector<double>

@@ -91,13 +91,14 @@ namespace Signorini
         double               sum = 0, absolute = 0, geometry = 0, edges = 0;
         std::vector<double> &of_cells = result.cells.products[i];
         const auto of_dirichlet      = dirichlet_contact_errors(snapshot, functionals[i], z);
+        const auto of_points         = pointwise_contact_errors(snapshot, functionals[i], z);
         const auto of_edges          = unresolved_contact(snapshot, functionals[i], z);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
             // The sums that enter the bound (8.13) do not contain the parts of geometry and of the
             // edge of contact; the refinement indicators do, the latter with the sign of the rest,
             // so that they never cancel.
-            of_cells[cell] += boundaries.of_supports[i][cell] + of_dirichlet[cell];
+            of_cells[cell] += boundaries.of_supports[i][cell] + of_dirichlet[cell] + of_points[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);
             of_cells[cell] += boundaries.of_geometry[i][cell];
@@ -116,8 +117,14 @@ namespace Signorini
           Utilities::MPI::sum(sum, comm) + (functionals[i].is_quadratic ? -energy / 2 : 0.);
         one.absolute       = Utilities::MPI::sum(absolute, comm);
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
-        if (!is_consistent)
-          one.parts.enforcement = of_open_gaps(snapshot, duals[i].zeta);
+        // The gaps that Nitsche's method leaves are smaller on finer meshes.
+        if (const bool is_of_mesh = snapshot.contact.has_stress(); !is_consistent || is_of_mesh)
+          {
+            const double of_gaps = of_open_gaps(snapshot, duals[i].zeta);
+            (is_of_mesh ? one.parts.discretisation : one.parts.enforcement) += of_gaps;
+            if (is_of_mesh)
+              one.absolute += std::abs(of_gaps);
+          }
         one.parts.nonlinear = of_tension(snapshot, z);
         one.parts.algebraic = duals[i].remainder;
         one.parts.model     = neglected * std::abs(one.value);

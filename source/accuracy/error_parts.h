@@ -89,6 +89,18 @@ namespace Signorini
                        const Functional    &functional,
                        const LA::Vector    &dual_displacement);
 
+  /// @return the error, exact minus computed, on each active cell because the pressures of Nitsche's
+  /// method at the contact points differ from the recovered pressure p*, (8.21), where the dual
+  /// solution does not vanish. Collective.
+  /// @param snapshot the solution
+  /// @param functional the quantity
+  /// @param dual_displacement z of the quantity, without its lift
+  template <int dim>
+  std::vector<double>
+  pointwise_contact_errors(const Snapshot<dim> &snapshot,
+                           const Functional    &functional,
+                           const LA::Vector    &dual_displacement);
+
   /// @return the size of the error by faces that the edge of contact crosses, (8.9), on each active
   /// cell: the position of the force within such a face is not resolved. It is small for contact
   /// zones of many faces. Collective.
