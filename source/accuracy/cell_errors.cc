@@ -6,6 +6,7 @@
 #include <signorini/solid/model.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -262,6 +263,8 @@ namespace Signorini
       result.energy.assign(n, 0.);
       result.products.assign(n_duals, std::vector<double>(n, 0.));
       result.energies_of_duals.assign(n_duals, 0.);
+      result.cauchy_schwarz_bounds.assign(n_duals, 0.);
+      std::vector<double> energies_of_cell(n_duals);
       PointErrors there{0, 0, std::vector<double>(n_duals), std::vector<double>(n_duals)};
       double      energy = 0;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
@@ -269,6 +272,7 @@ namespace Signorini
           {
             const auto        &at = recovered(cell);
             const unsigned int i  = cell->active_cell_index();
+            energies_of_cell.assign(n_duals, 0.);
             for (unsigned int q = 0; q < at.weights.size(); ++q)
               {
                 errors.at_point(cell,
@@ -279,14 +283,19 @@ namespace Signorini
                 for (unsigned int z = 0; z < n_duals; ++z)
                   {
                     result.products[z][i] += at.weights[q] * there.products[z];
-                    result.energies_of_duals[z] += at.weights[q] * there.energies_of_duals[z];
+                    energies_of_cell[z] += at.weights[q] * there.energies_of_duals[z];
                   }
                 energy += at.weights[q] * there.energy_of_solution;
               }
+            for (unsigned int z = 0; z < n_duals; ++z)
+              {
+                result.energies_of_duals[z] += energies_of_cell[z];
+                result.cauchy_schwarz_bounds[z] +=
+                  std::sqrt(result.energy[i] * energies_of_cell[z]);
+              }
           }
-      Utilities::MPI::sum(result.energies_of_duals,
-                          triangulation.get_communicator(),
-                          result.energies_of_duals);
+      for (std::vector<double> *sums : {&result.energies_of_duals, &result.cauchy_schwarz_bounds})
+        Utilities::MPI::sum(*sums, triangulation.get_communicator(), *sums);
       result.energy_of_solution = Utilities::MPI::sum(energy, triangulation.get_communicator());
       return result;
     }

@@ -112,10 +112,15 @@ namespace Signorini
         one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(edges, comm) +
                          undetermined_contact(snapshot, functionals[i], z);
         one.energy               = result.energy;
-        one.cauchy_schwarz_bound = std::sqrt(energy * result.cells.energies_of_duals[i]);
+        one.cauchy_schwarz_bound =
+          result.cells.cauchy_schwarz_bounds[i] + std::abs(functionals[i].local) +
+          (functionals[i].is_quadratic ? energy / 2 : 0.);
+        one.global_bound = std::sqrt(energy * result.cells.energies_of_duals[i]);
         one.parts.discretisation =
-          Utilities::MPI::sum(sum, comm) + (functionals[i].is_quadratic ? -energy / 2 : 0.);
-        one.absolute       = Utilities::MPI::sum(absolute, comm);
+          Utilities::MPI::sum(sum, comm) + functionals[i].local +
+          (functionals[i].is_quadratic ? -energy / 2 : 0.);
+        one.absolute       = Utilities::MPI::sum(absolute, comm) + std::abs(functionals[i].local) +
+                       (functionals[i].is_quadratic ? energy / 2 : 0.);
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
         // The gaps that Nitsche's method leaves are smaller on finer meshes.
         if (const bool is_of_mesh = snapshot.contact.has_stress(); !is_consistent || is_of_mesh)

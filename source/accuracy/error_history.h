@@ -56,6 +56,7 @@ namespace Signorini
     /// Bound of the discretisation error by the product of the energy norms of primal and dual
     /// errors.
     double cauchy_schwarz_bound = 0;
+    double global_bound = 0;
     /// See Functional.
     bool is_regularised = false;
   };

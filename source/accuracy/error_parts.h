@@ -34,6 +34,9 @@ namespace Signorini
     /// For each quantity the square of the energy norm of the error of the dual solution, summed
     /// over all ranks.
     std::vector<double> energies_of_duals;
+    /// For each quantity the sum over all cells and ranks of the products of the energy norms of
+    /// both errors.
+    std::vector<double> cauchy_schwarz_bounds;
     /// int sigma:eps dV of the solution, or twice its energy, summed over all ranks.
     double energy_of_solution = 0;
   };

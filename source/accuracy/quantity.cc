@@ -16,6 +16,7 @@ namespace Signorini
       pair,
       support,
       obstacle,
+      body,
       /// A point in a body.
       probe,
       /// A point on a contact pair.
@@ -104,6 +105,11 @@ namespace Signorini
          ComponentKind::none,
          probe_von_mises<2>,
          probe_von_mises<3>},
+        {"largest von Mises",
+         QuantityTarget::body,
+         ComponentKind::none,
+         largest_von_mises<2>,
+         largest_von_mises<3>},
         {"pressure",
          QuantityTarget::surface_probe,
          ComponentKind::none,
@@ -145,6 +151,7 @@ namespace Signorini
                       (kind.of == QuantityTarget::pair          ? " of PAIR" :
                        kind.of == QuantityTarget::support       ? " of SUPPORT" :
                        kind.of == QuantityTarget::obstacle      ? " of OBSTACLE" :
+                       kind.of == QuantityTarget::body          ? " of BODY" :
                        kind.of == QuantityTarget::probe         ? " of PROBE" :
                        kind.of == QuantityTarget::surface_probe ? " of PROBE (on a pair)" :
                                                                   ""));
@@ -196,11 +203,13 @@ namespace Signorini
       kind->of == QuantityTarget::pair     ? names.pairs :
       kind->of == QuantityTarget::support  ? names.supports :
       kind->of == QuantityTarget::obstacle ? names.obstacles :
+      kind->of == QuantityTarget::body     ? names.bodies :
       kind->of == QuantityTarget::probe    ? names.probes :
                                              names.surface_probes;
     const std::string what = kind->of == QuantityTarget::pair     ? "contact pair" :
                              kind->of == QuantityTarget::support  ? "support" :
                              kind->of == QuantityTarget::obstacle ? "obstacle that moves freely" :
+                             kind->of == QuantityTarget::body     ? "body" :
                              kind->of == QuantityTarget::probe    ? "probe of one point in a body" :
                                                                     "probe of one point on a pair";
     if (kind->of != QuantityTarget::nothing &&

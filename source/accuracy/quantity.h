@@ -18,14 +18,14 @@ namespace Signorini
     std::string what;
     /// The component, such as "y"; may be empty.
     std::string component;
-    /// The name of a pair, support, obstacle or probe; may be empty.
+    /// The name of a pair, support, obstacle, body or probe; may be empty.
     std::string of;
   };
 
   /// The names to which quantities of a scene may belong.
   struct QuantityNames
   {
-    std::vector<std::string> pairs, supports, obstacles;
+    std::vector<std::string> pairs, supports, obstacles, bodies;
     /// Points in bodies.
     std::vector<std::string> probes;
     /// Points on contact pairs.
@@ -63,6 +63,9 @@ namespace Signorini
     /// Whether the derivative is that of a smooth quantity close to this one, so that it describes
     /// the error approximately only.
     bool is_regularised = false;
+    /// Recovered minus computed value of a quantity at a point, which has the derivative of the
+    /// recovered one.
+    double local = 0;
     /// Size of the error of the value by what is not resolved within a face, in its units.
     double unresolved = 0;
     /// Whether the quantity is the energy, see error_estimate().

@@ -57,7 +57,79 @@ namespace Signorini
           rules.push_back(cell_rule<dim>(cell, n));
       return rules;
     }
+
+    /// @return the number of sample points in each direction: the superconvergent points are those
+    /// of the Gauss rule with `degree` points; at least two across a body that is one cell thick,
+    /// since one point would miss bending.
+    template <int dim>
+    unsigned int
+    points_per_direction(const Elasticity<dim>                                &elasticity,
+                         const typename DoFHandler<dim>::active_cell_iterator &cell)
+    {
+      const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
+      if (cell->reference_cell().is_simplex())
+        return degree;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
+          return std::max(2u, degree);
+      return degree;
+    }
+
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    /// Coefficients that the patch does not determine, such as the slope across a body that is one
+    /// cell thick, become zero by this small regularisation.
+    void
+    regularise(Matrix &N)
+    {
+      constexpr double rounding = 1e-9;
+      for (int i = 0; i < N.rows(); ++i)
+        N(i, i) += rounding * N(0, 0);
+    }
   } // namespace
+
+
+
+  // The weights are N^-1 times the monomials at the point, with the normal matrix N.
+  template <int dim>
+  std::vector<RecoverySample<dim>>
+  recovery_samples(const Elasticity<dim>                                &elasticity,
+                   const typename DoFHandler<dim>::active_cell_iterator &cell,
+                   const Point<dim>                                     &x)
+  {
+    std::vector<bool> is_vertex(elasticity.mesh().triangulation().n_vertices(), false);
+    for (const unsigned int v : cell->vertex_indices())
+      is_vertex[cell->vertex_index(v)] = true;
+    std::vector<RecoverySample<dim>> samples;
+    for (const auto &other : elasticity.dof_handler().active_cell_iterators())
+      {
+        if (other->is_artificial() || other->material_id() != cell->material_id())
+          continue;
+        const auto vertices = other->vertex_indices();
+        if (std::none_of(vertices.begin(), vertices.end(), [&](const unsigned int v) {
+              return is_vertex[other->vertex_index(v)];
+            }))
+          continue;
+        const auto &mapping = elasticity.mesh().mappings()[other->active_fe_index()];
+        for (const Point<dim> &unit :
+             cell_rule<dim>(other->reference_cell(), points_per_direction(elasticity, other))
+               .get_points())
+          samples.push_back({other, unit, mapping.transform_unit_to_real_cell(other, unit), 0.});
+      }
+    const Monomials<dim> monomials(elasticity.degree(elasticity.mesh().body(cell)));
+    const auto           at = [&](const Point<dim> &place) {
+      const auto phi = monomials((place - cell->center()) / cell->diameter());
+      return Eigen::VectorXd(Eigen::VectorXd::Map(phi.data(), monomials.n));
+    };
+    Matrix N = Matrix::Zero(monomials.n, monomials.n);
+    for (const RecoverySample<dim> &sample : samples)
+      N += at(sample.place) * at(sample.place).transpose();
+    regularise(N);
+    const Eigen::VectorXd coefficients = solve_symmetric(N, at(x));
+    for (RecoverySample<dim> &sample : samples)
+      sample.weight = coefficients.dot(at(sample.place));
+    return samples;
+  }
 
 
 
@@ -91,22 +163,6 @@ namespace Signorini
 
 
 
-  // The superconvergent points are those of the Gauss rule with `degree` points.
-  template <int dim>
-  unsigned int
-  RecoveredField<dim>::points_per_direction(const Cell &cell) const
-  {
-    const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
-    if (cell->reference_cell().is_simplex())
-      return degree;
-    for (unsigned int d = 0; d < dim; ++d)
-      if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
-        return std::max(2u, degree);
-    return degree;
-  }
-
-
-
   // All samples are in one array, cell by cell, point by point, with all components of all fields
   // together: one patch then reads contiguous pieces of memory.
   template <int dim>
@@ -120,7 +176,7 @@ namespace Signorini
         first_sample[cell->active_cell_index()] = places.size();
         if (cell->is_artificial())
           continue;
-        values.reinit(cell, rule(cell, points_per_direction(cell)));
+        values.reinit(cell, rule(cell, points_per_direction(elasticity, cell)));
         const FEValues<dim> &at     = values.get_present_fe_values();
         const auto          &points = at.get_quadrature_points();
         places.insert(places.end(), points.begin(), points.end());
@@ -195,7 +251,6 @@ namespace Signorini
     const double         scale  = 1 / cell->diameter();
 
     // The lower triangle of the normal matrix and the right-hand sides.
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Matrix N = Matrix::Zero(n, n), right = Matrix::Zero(n, n_values);
     collect_patch(cell);
     for (const unsigned int c : patch)
@@ -211,11 +266,7 @@ namespace Signorini
                 right(i, k) += phi[i] * value[k];
             }
         }
-    // Coefficients that the patch does not determine, such as the slope across a body that is one
-    // cell thick, become zero by this small regularisation.
-    constexpr double rounding = 1e-9;
-    for (unsigned int i = 0; i < n; ++i)
-      N(i, i) += rounding * N(0, 0);
+    regularise(N);
     const Matrix coefficients = solve_symmetric(N, right);
 
     // Deviations at the points of the rule that integrates the energy.
@@ -243,6 +294,14 @@ namespace Signorini
 
 
 
+  template std::vector<RecoverySample<2>>
+  recovery_samples(const Elasticity<2> &,
+                   const DoFHandler<2>::active_cell_iterator &,
+                   const Point<2> &);
+  template std::vector<RecoverySample<3>>
+  recovery_samples(const Elasticity<3> &,
+                   const DoFHandler<3>::active_cell_iterator &,
+                   const Point<3> &);
   template class RecoveredField<2>;
   template class RecoveredField<3>;
 } // namespace Signorini

@@ -10,6 +10,26 @@
 
 namespace Signorini
 {
+  /// A sample of a field, and its share of the recovered value at a point.
+  template <int dim>
+  struct RecoverySample
+  {
+    typename dealii::DoFHandler<dim>::active_cell_iterator cell;
+    dealii::Point<dim>                                     unit; ///< in coordinates of the cell
+    dealii::Point<dim>                                     place;
+    double                                                 weight;
+  };
+
+  /// @return the samples of which the value of a recovered field, see RecoveredField, is the sum.
+  /// @param elasticity the model
+  /// @param cell locally owned
+  /// @param x point in the cell
+  template <int dim>
+  std::vector<RecoverySample<dim>>
+  recovery_samples(const Elasticity<dim>                                        &elasticity,
+                   const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                   const dealii::Point<dim>                                     &x);
+
   /// Recovers fields of higher order from derivatives of finite element solutions, (8.5): in each
   /// cell the polynomial of the degree of the displacement that fits the field best at the
   /// superconvergent points of the cell and of all cells that share a vertex with it (Zienkiewicz,
@@ -48,10 +68,6 @@ namespace Signorini
     operator()(const Cell &cell);
 
   private:
-    /// @return the number of sample points in each direction; at least two across a body that is
-    /// one cell thick, since one point would miss bending.
-    unsigned int
-    points_per_direction(const Cell &cell) const;
     /// @return the index of the rule with that many points in each direction.
     unsigned int
     rule(const Cell &cell, unsigned int points_per_direction) const;

@@ -43,6 +43,7 @@ namespace Signorini
         one["absolute"]             = last.absolute;
         one["cauchy_schwarz_bound"] = last.cauchy_schwarz_bound;
         one["unresolved"]           = last.unresolved;
+        one["global_bound"] = last.global_bound;
         one["regularised"]          = last.is_regularised;
       }
     return {{"energy", estimate.energy},

@@ -236,7 +236,8 @@ namespace Signorini
   std::vector<QuantityName>
   Decisions<dim>::quantities() const
   {
-    QuantityNames names{names_of(pairs), names_of(scene.supports), {}, {}, {}};
+    QuantityNames names{
+      names_of(pairs), names_of(scene.supports), {}, names_of(scene.bodies), {}, {}};
     for (const Probe<dim> &probe : scene.output.probes)
       if (!probe.is_line())
         (probe.is_on_pair() ? names.surface_probes : names.probes).push_back(probe.name);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/quantities/kinds.h"
 #include "fields/contact_force.h"
-#include "fields/probes.h"
 #include "solid/cell_nodes.h"
 #include "solid/deformation_kernel.h"
 #include "solid/pressure_kernel.h"
 #include "solid/reactions.h"
 #include "solid/volume_kernel.h"
-
-#include <cmath>
 
 namespace Signorini
 {
@@ -175,45 +172,6 @@ namespace Signorini
         }
       return result;
     }
-
-    /// @return the values at a probe of one point.
-    template <int dim>
-    ProbeValue<dim>
-    value_at(const Snapshot<dim> &s, const Probe<dim> &probe)
-    {
-      return evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0];
-    }
-
-
-
-    /// Set the derivatives of a functional to those of displacement and stress at a probe, see
-    /// probe_functional(). Collective.
-    template <int dim>
-    void
-    set_derivative(const Snapshot<dim>         &s,
-                   const Probe<dim>            &probe,
-                   const Tensor<1, dim>        &of_displacement,
-                   const SymmetricTensor<2, 3> &of_stress,
-                   Functional                  &functional)
-    {
-      ProbeDerivative derivative =
-        probe_functional(s.elasticity, s.displacement, probe, of_displacement, of_stress);
-      functional.of_displacement      = std::move(derivative.of_displacement);
-      functional.of_volumetric_stress = std::move(derivative.of_volumetric_stress);
-    }
-
-
-
-    /// Set the error of a probe in a cell all of whose nodes are prescribed. Nothing in the scene
-    /// changes the value there, so that the dual solution is zero and sees no error, but between
-    /// the nodes the value is not known at all. Collective.
-    /// @param size of the displacement or stress there
-    void
-    set_error_in_held_cell(const double size, Functional &functional)
-    {
-      if (functional.of_displacement.linfty_norm() == 0)
-        functional.unresolved = size;
-    }
   } // namespace
 
 
@@ -271,71 +229,10 @@ namespace Signorini
 
 
 
-  template <int dim>
-  Functional
-  probe_displacement(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
-  {
-    const Probe<dim>       &probe = probe_named(probes, name.of);
-    const Tensor<1, dim>    u     = value_at(s, probe).displacement;
-    std::vector<Functional> components;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        Functional one = zero_functional(s);
-        one.value      = u[d];
-        set_derivative(s, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {}, one);
-        set_error_in_held_cell(u.norm(), one);
-        components.push_back(one);
-      }
-    return size_or_component(name, components);
-  }
-
-
-
-  template <int dim>
-  Functional
-  probe_stress(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
-  {
-    const Probe<dim>  &probe = probe_named(probes, name.of);
-    const unsigned int i     = component_number(name.component.substr(0, 1)),
-                       j     = component_number(name.component.substr(1));
-    SymmetricTensor<2, 3> which;
-    // The product with a symmetric stress counts an off-diagonal component twice.
-    which[i][j]                        = i == j ? 1 : 0.5; // counts twice
-    Functional                  result = zero_functional(s);
-    const SymmetricTensor<2, 3> stress = value_at(s, probe).stress;
-    result.value                       = stress[i][j];
-    set_derivative(s, probe, Tensor<1, dim>(), which, result);
-    set_error_in_held_cell(stress.norm(), result);
-    return result;
-  }
-
-
-
-  // The derivative of the von Mises stress by the stress is 3/2 dev(sigma)/sigma_v; zero stress has
-  // none.
-  template <int dim>
-  Functional
-  probe_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
-  {
-    const Probe<dim> &probe  = probe_named(probes, name.of);
-    const auto        at     = value_at(s, probe);
-    Functional        result = zero_functional(s);
-    result.value             = at.von_mises;
-    if (at.von_mises > 0)
-      set_derivative(s, probe, Tensor<1, dim>(), 1.5 / at.von_mises * deviator(at.stress), result);
-    set_error_in_held_cell(at.von_mises, result);
-    return result;
-  }
-
-
-
 #define INSTANTIATE(quantity)                                                                      \
   template Functional quantity(const QuantityName &, const Snapshot<2> &, const Probes<2> &);      \
   template Functional quantity(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
   INSTANTIATE(reaction)
   INSTANTIATE(motion)
-  INSTANTIATE(probe_displacement)
-  INSTANTIATE(probe_stress)
-  INSTANTIATE(probe_von_mises)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -73,6 +73,11 @@ namespace Signorini
   Functional
   probe_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes);
 
+  /// The largest von Mises stress of a body, as in the results [stress].
+  template <int dim>
+  Functional
+  largest_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
+
   /// The recovered pressure at the point of the slave that is closest to a probe [stress].
   /// Regularised: its derivative is that of the mean over a face around the point.
   template <int dim>

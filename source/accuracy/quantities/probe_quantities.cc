@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quantities at points of bodies.
+#include "accuracy/quantities/kinds.h"
+#include "accuracy/recovered_field.h"
+#include "fields/largest_stress.h"
+#include "fields/probe_cells.h"
+#include "fields/probes.h"
+#include "solid/cell_nodes.h"
+#include "solid/stress.h"
+#include "solid/stress_state.h"
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// @return the values at a probe of one point.
+    template <int dim>
+    ProbeValue<dim>
+    value_at(const Snapshot<dim> &s, const Probe<dim> &probe)
+    {
+      return evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0];
+    }
+
+    /// Set the error of a probe in a cell all of whose nodes are prescribed. Nothing in the scene
+    /// changes the value there, so that the dual solution is zero and sees no error, but between
+    /// the nodes the value is not known at all. Collective.
+    /// @param size of the displacement or stress there
+    void
+    set_error_in_held_cell(const double           size,
+                           const ProbeDerivative &derivative,
+                           Functional            &functional)
+    {
+      if (derivative.of_displacement.linfty_norm() == 0)
+        functional.unresolved = size;
+    }
+
+    /// The stress at a sample point of the recovery, with its derivatives by the shape functions.
+    template <int dim>
+    class SampledStress
+    {
+    public:
+      SampledStress(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
+        : elasticity(elasticity)
+        , displacement(elasticity.with_ghosts(displacement))
+      {}
+
+      /// @return the Cauchy stress at a sample.
+      SymmetricTensor<2, 3>
+      at(const RecoverySample<dim> &sample)
+      {
+        const auto   &cell = sample.cell;
+        const FEValuesExtractors::Vector u(0);
+        const auto    i = cell->active_fe_index();
+        values          = std::make_unique<FEValues<dim>>(elasticity.mesh().mappings()[i],
+                                                 elasticity.finite_elements()[i],
+                                                 Quadrature<dim>(sample.unit),
+                                                 update_values | update_gradients);
+        values->reinit(cell);
+        std::vector<Tensor<1, dim>> value(1);
+        std::vector<Tensor<2, dim>> gradient(1);
+        (*values)[u].get_function_values(displacement, value);
+        (*values)[u].get_function_gradients(displacement, gradient);
+        state = stress_state(elasticity, *cell, gradient[0], value[0], sample.place);
+        return symmetrize(state.stress * transpose(state.F)) / determinant(state.F);
+      }
+
+      /// Add the derivative of weight times of_stress : sigma at the sample of the last at().
+      void
+      add_derivative(const RecoverySample<dim>   &sample,
+                     const SymmetricTensor<2, 3> &of_stress,
+                     Functional                  &sum)
+      {
+        const auto                          &volumetric = elasticity.volumetric_stress();
+        const FEValuesExtractors::Vector     u(0);
+        std::vector<types::global_dof_index> indices;
+        read_indices<dim>(sample.cell, indices);
+        Vector<double> weights(indices.size());
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          weights[i] = sample.weight *
+                       (of_stress * state.change_of_cauchy_stress(
+                                      gradient_of_change(elasticity.model(),
+                                                         (*values)[u].gradient(i, 0),
+                                                         (*values)[u].value(i, 0),
+                                                         sample.place),
+                                      0));
+        elasticity.constraints().distribute_local_to_global(weights, indices, sum.of_displacement);
+        if (!state.is_mixed)
+          return;
+        const auto phi = volumetric.functions(*sample.cell, sample.place);
+        for (unsigned int i = 0; i < phi.size(); ++i)
+          sum.of_volumetric_stress(volumetric.indices(*sample.cell)[i]) +=
+            sample.weight *
+            (of_stress * state.change_of_cauchy_stress(Tensor<2, 3>(), phi[i]));
+      }
+
+    private:
+      const Elasticity<dim>         &elasticity;
+      const LA::Vector               displacement;
+      std::unique_ptr<FEValues<dim>> values;
+      StressState                    state;
+    };
+
+    /// @return the locally owned cell that a probe belongs to; none on other ranks. Collective.
+    template <int dim>
+    std::optional<typename DoFHandler<dim>::active_cell_iterator>
+    own_cell(const Elasticity<dim> &elasticity, const Probe<dim> &probe)
+    {
+      const MPI_Comm comm      = elasticity.mesh().communicator();
+      const auto     locations = own_locations<dim>(elasticity, {probe}, probe_tolerance);
+      const auto     claims    = all_claims(locations, comm);
+      if (rank_of_best_claim(claims, 0) == Utilities::MPI::this_mpi_process(comm))
+        return locations[0].cell;
+      return {};
+    }
+
+    /// Set the derivative of a functional to that of of_stress : sigma* at a point, with the
+    /// recovered stress sigma* there, (8.5). The stress of the elements is of lower order, and as
+    /// a functional of the displacement it is so rough that its dual solution is not resolved.
+    /// Collective.
+    /// @param cell that contains the point; none: on another rank
+    /// @return sigma*
+    template <int dim>
+    SymmetricTensor<2, 3>
+    set_recovered(const Snapshot<dim>                                                 &s,
+                  const std::optional<typename DoFHandler<dim>::active_cell_iterator> &cell,
+                  const Point<dim>                                                    &x,
+                  const SymmetricTensor<2, 3>                                         &of_stress,
+                  Functional                                                          &functional)
+    {
+      const Elasticity<dim> &elasticity = s.elasticity;
+      SymmetricTensor<2, 3>  result;
+      SampledStress<dim>     stress(elasticity, s.displacement);
+      functional.of_volumetric_stress = elasticity.volumetric_stress().zero_vector();
+      if (cell)
+        for (const RecoverySample<dim> &sample : recovery_samples<dim>(elasticity, *cell, x))
+          {
+            result += sample.weight * stress.at(sample);
+            stress.add_derivative(sample, of_stress, functional);
+          }
+      functional.of_displacement.compress(VectorOperation::add);
+      if (functional.of_volumetric_stress.size() > 0)
+        functional.of_volumetric_stress.compress(VectorOperation::add);
+      return Utilities::MPI::sum(result, elasticity.mesh().communicator());
+    }
+
+    /// @return the derivative of the von Mises stress by the stress, 3/2 dev(sigma)/sigma_v; zero
+    /// stress has none.
+    SymmetricTensor<2, 3>
+    by_stress(const SymmetricTensor<2, 3> &stress)
+    {
+      const double size = von_mises(stress);
+      return (size > 0 ? 1.5 / size : 0.) * deviator(stress);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Functional
+  probe_displacement(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
+  {
+    const Probe<dim>       &probe = probe_named(probes, name.of);
+    const Tensor<1, dim>    u     = value_at(s, probe).displacement;
+    std::vector<Functional> components;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        Functional one = zero_functional(s);
+        one.value      = u[d];
+        const ProbeDerivative derivative =
+          probe_functional(s.elasticity,
+                           s.displacement,
+                           probe,
+                           Tensor<1, dim>(Point<dim>::unit_vector(d)),
+                           {});
+        one.of_displacement = derivative.of_displacement;
+        set_error_in_held_cell(u.norm(), derivative, one);
+        components.push_back(one);
+      }
+    return size_or_component(name, components);
+  }
+
+
+
+  namespace
+  {
+    /// @return a function of the stress at a probe, which is close to linear in its error.
+    /// @param function of the stress
+    /// @param of_stress its derivative
+    template <int dim>
+    Functional
+    function_of_stress(const Snapshot<dim>                                         &s,
+                       const Probe<dim>                                            &probe,
+                       const std::function<double(const SymmetricTensor<2, 3> &)> &function,
+                       const SymmetricTensor<2, 3>                                 &of_stress,
+                       const SymmetricTensor<2, 3>                                 &stress)
+    {
+      Functional result = zero_functional(s);
+      result.value      = function(stress);
+      result.local =
+        function(set_recovered(s, own_cell(s.elasticity, probe), probe.point, of_stress, result)) -
+        result.value;
+      set_error_in_held_cell(
+        std::max(std::abs(result.value), stress.norm()),
+        probe_functional(s.elasticity, s.displacement, probe, Tensor<1, dim>(), of_stress),
+        result);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Functional
+  probe_stress(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
+  {
+    const Probe<dim>  &probe = probe_named(probes, name.of);
+    const unsigned int i     = component_number(name.component.substr(0, 1)),
+                       j     = component_number(name.component.substr(1));
+    SymmetricTensor<2, 3> which;
+    // The product with a symmetric stress counts an off-diagonal component twice.
+    which[i][j] = i == j ? 1 : 0.5;
+    return function_of_stress<dim>(
+      s,
+      probe,
+      [&](const SymmetricTensor<2, 3> &stress) { return stress[i][j]; },
+      which,
+      value_at(s, probe).stress);
+  }
+
+
+
+  template <int dim>
+  Functional
+  probe_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
+  {
+    const Probe<dim>           &probe  = probe_named(probes, name.of);
+    const SymmetricTensor<2, 3> stress = value_at(s, probe).stress;
+    return function_of_stress<dim>(s, probe, von_mises, by_stress(stress), stress);
+  }
+
+
+
+  // The value is that of the superconvergent point where it is largest. The largest one of the
+  // recovered stress, at that point or at a vertex of its cell, which may be on the surface, tells
+  // the error.
+  template <int dim>
+  Functional
+  largest_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
+  {
+    const Elasticity<dim> &elasticity = s.elasticity;
+    const MPI_Comm         comm       = elasticity.mesh().communicator();
+    const auto             stresses   = largest_stresses(elasticity, s.displacement);
+    Functional             result     = zero_functional(s);
+    for (unsigned int body = 0; body < stresses.size(); ++body)
+      if (elasticity.mesh().body_name(body) == name.of)
+        {
+          Probe<dim> at;
+          at.body      = name.of;
+          at.point     = stresses[body].von_mises.position;
+          result.value = stresses[body].von_mises.value;
+          const auto              cell = own_cell(elasticity, at);
+          std::vector<Point<dim>> places;
+          if (cell)
+            {
+              places = {at.point};
+              for (const unsigned int v : (*cell)->vertex_indices())
+                places.push_back((*cell)->vertex(v));
+            }
+          SampledStress<dim>    sampled(elasticity, s.displacement);
+          double                largest = -std::numeric_limits<double>::max();
+          Point<dim>            place;
+          SymmetricTensor<2, 3> there;
+          for (const Point<dim> &x : places)
+            {
+              SymmetricTensor<2, 3> stress;
+              for (const RecoverySample<dim> &sample : recovery_samples<dim>(elasticity, *cell, x))
+                stress += sample.weight * sampled.at(sample);
+              if (von_mises(stress) > largest)
+                {
+                  largest = von_mises(stress);
+                  place   = x;
+                  there   = stress;
+                }
+            }
+          there        = Utilities::MPI::sum(there, comm);
+          result.local = von_mises(set_recovered(s, cell, place, by_stress(there), result)) -
+                         result.value;
+        }
+    return result;
+  }
+
+
+
+#define INSTANTIATE(quantity)                                                                      \
+  template Functional quantity(const QuantityName &, const Snapshot<2> &, const Probes<2> &);      \
+  template Functional quantity(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
+  INSTANTIATE(probe_displacement)
+  INSTANTIATE(probe_stress)
+  INSTANTIATE(probe_von_mises)
+  INSTANTIATE(largest_von_mises)
+#undef INSTANTIATE
+} // namespace Signorini
