@@ -262,7 +262,6 @@ namespace Signorini
       CellErrors          result;
       result.energy.assign(n, 0.);
       result.products.assign(n_duals, std::vector<double>(n, 0.));
-      result.energies_of_duals.assign(n_duals, 0.);
       result.cauchy_schwarz_bounds.assign(n_duals, 0.);
       std::vector<double> energies_of_cell(n_duals);
       PointErrors there{0, 0, std::vector<double>(n_duals), std::vector<double>(n_duals)};
@@ -288,14 +287,11 @@ namespace Signorini
                 energy += at.weights[q] * there.energy_of_solution;
               }
             for (unsigned int z = 0; z < n_duals; ++z)
-              {
-                result.energies_of_duals[z] += energies_of_cell[z];
-                result.cauchy_schwarz_bounds[z] +=
-                  std::sqrt(result.energy[i] * energies_of_cell[z]);
-              }
+              result.cauchy_schwarz_bounds[z] += std::sqrt(result.energy[i] * energies_of_cell[z]);
           }
-      for (std::vector<double> *sums : {&result.energies_of_duals, &result.cauchy_schwarz_bounds})
-        Utilities::MPI::sum(*sums, triangulation.get_communicator(), *sums);
+      Utilities::MPI::sum(result.cauchy_schwarz_bounds,
+                          triangulation.get_communicator(),
+                          result.cauchy_schwarz_bounds);
       result.energy_of_solution = Utilities::MPI::sum(energy, triangulation.get_communicator());
       return result;
     }

@@ -90,6 +90,11 @@ namespace Signorini
         if (histories[i].last_bounded().error_bound <= allowed(i))
           continue;
         const std::string &name = goals.quantities[i];
+        if (histories[i].last().is_unstable)
+          return name +
+                 " has no error bound: the tangent at the solution is not positive definite, so that "
+                 "other solutions are near (a buckling or limit point was passed); set Load steps/End "
+                 "time to a smaller load";
         if (histories[i].diverges())
           return name +
                  " grows with every refinement: the exact value is unbounded (sharp edge, point "

@@ -115,7 +115,6 @@ namespace Signorini
         one.cauchy_schwarz_bound =
           result.cells.cauchy_schwarz_bounds[i] + std::abs(functionals[i].local) +
           (functionals[i].is_quadratic ? energy / 2 : 0.);
-        one.global_bound = std::sqrt(energy * result.cells.energies_of_duals[i]);
         one.parts.discretisation =
           Utilities::MPI::sum(sum, comm) + functionals[i].local +
           (functionals[i].is_quadratic ? -energy / 2 : 0.);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -44,6 +45,8 @@ namespace Signorini
   {
     constexpr double        rounding = 1e-9;
     const QuantityEstimate &now      = last();
+    if (now.is_unstable)
+      return {now.value, std::numeric_limits<double>::infinity()};
     const double            rest = std::abs(now.parts.enforcement) + std::abs(now.parts.algebraic) +
                         std::abs(now.parts.nonlinear);
     const double correction = std::abs(now.parts.correction());

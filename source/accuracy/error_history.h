@@ -53,12 +53,14 @@ namespace Signorini
     double unresolved = 0;
     /// Energy norm of the error, relative to that of the solution.
     double energy = 0;
-    /// Bound of the discretisation error by the product of the energy norms of primal and dual
-    /// errors.
+    /// Bound of the discretisation error by the products of the energy norms of primal and dual
+    /// errors, cell by cell.
     double cauchy_schwarz_bound = 0;
-    double global_bound = 0;
     /// See Functional.
     bool is_regularised = false;
+    /// Whether the tangent at the solution is not positive definite: then other solutions are near,
+    /// and a linearisation tells nothing of the error.
+    bool is_unstable = false;
   };
 
   /// A value whose exact counterpart is expected within +- error_bound.
@@ -103,7 +105,7 @@ namespace Signorini
       return meshes.back();
     }
 
-    /// @return the last value with its error bound (8.13).
+    /// @return the last value with its error bound (8.13); infinite at unstable solutions.
     BoundedValue
     last_bounded() const;
 

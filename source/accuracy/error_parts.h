@@ -31,11 +31,8 @@ namespace Signorini
     /// [quantity][cell]: the energy product of the errors of the solution and of the dual solution,
     /// (8.6) or (8.20).
     std::vector<std::vector<double>> products;
-    /// For each quantity the square of the energy norm of the error of the dual solution, summed
-    /// over all ranks.
-    std::vector<double> energies_of_duals;
     /// For each quantity the sum over all cells and ranks of the products of the energy norms of
-    /// both errors.
+    /// the errors of solution and dual solution.
     std::vector<double> cauchy_schwarz_bounds;
     /// int sigma:eps dV of the solution, or twice its energy, summed over all ranks.
     double energy_of_solution = 0;

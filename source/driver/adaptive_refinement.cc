@@ -321,26 +321,38 @@ namespace Signorini
   ErrorEstimate
   AdaptiveRefinement<dim>::estimate_errors()
   {
-    const Snapshot<dim>       now = problem.equilibrium->snapshot(0);
+    const bool                is_unstable = problem.report().tangent_is_indefinite;
+    const Snapshot<dim>       now         = problem.equilibrium->snapshot(0);
     std::vector<Functional>   functionals;
     std::vector<DualSolution> duals;
     for (const QuantityName &name : problem.decisions.quantities())
       {
         functionals.push_back(functional(name, now, scene.output.probes));
-        duals.push_back(problem.equilibrium->configuration_solver.dual(functionals.back()));
+        if (!is_unstable)
+          duals.push_back(problem.equilibrium->configuration_solver.dual(functionals.back()));
       }
     TimerOutput::Scope  scope(timer, "estimate");
     const PressureShift pressure_shift = scene.contact.chosen().pressure_shift();
     const bool          is_consistent =
       pressure_shift == PressureShift::multiplier || pressure_shift == PressureShift::normal_stress;
-    return error_estimate(now,
-                          functionals,
-                          duals,
-                          is_consistent,
-                          errors_of_path(),
-                          problem.equilibrium->uses_current_geometry() ?
-                            0. :
-                            problem.equilibrium->neglected().value_or(0.));
+    ErrorEstimate result = error_estimate(now,
+                                          functionals,
+                                          duals,
+                                          is_consistent,
+                                          errors_of_path(),
+                                          problem.equilibrium->uses_current_geometry() ?
+                                            0. :
+                                            problem.equilibrium->neglected().value_or(0.));
+    if (is_unstable)
+      for (const Functional &one : functionals)
+        {
+          QuantityEstimate unknown;
+          unknown.value       = one.value;
+          unknown.is_unstable = true;
+          result.quantities.push_back(unknown);
+          result.cells.products.emplace_back(result.cells.energy.size(), 0.);
+        }
+    return result;
   }
 
 

@@ -9,6 +9,18 @@
 
 namespace Signorini
 {
+  namespace
+  {
+    /// @return null where there is no bound: JSON has no infinity.
+    Json
+    bound_or_null(const double bound)
+    {
+      return std::isfinite(bound) ? Json(bound) : Json();
+    }
+  } // namespace
+
+
+
   // One entry for each quantity; errors are in the units of the quantity.
   Json
   accuracy_results(const Goals &goals, const ErrorControl &control, const ErrorEstimate &estimate)
@@ -21,8 +33,9 @@ namespace Signorini
         const BoundedValue      now     = history.last_bounded();
         Json                   &one     = quantities[goals.quantities[i]];
         one["value"]                    = now.value;
-        one["error_bound"]              = now.error_bound;
-        if (now.value != 0)
+        one["error_bound"]              = bound_or_null(now.error_bound);
+        one["stable"]                   = !last.is_unstable;
+        if (now.value != 0 && !last.is_unstable)
           one["relative_error_bound"] = now.error_bound / std::abs(now.value);
         if (goals.has_targets())
           {
@@ -43,7 +56,6 @@ namespace Signorini
         one["absolute"]             = last.absolute;
         one["cauchy_schwarz_bound"] = last.cauchy_schwarz_bound;
         one["unresolved"]           = last.unresolved;
-        one["global_bound"] = last.global_bound;
         one["regularised"]          = last.is_regularised;
       }
     return {{"energy", estimate.energy},
@@ -75,6 +87,7 @@ namespace Signorini
         read.unresolved           = one.at("unresolved");
         read.energy               = results.at("energy");
         read.is_regularised       = one.at("regularised");
+        read.is_unstable          = !one.value("stable", true);
         all.push_back(read);
       }
     return all;
