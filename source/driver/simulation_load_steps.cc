@@ -274,7 +274,8 @@ namespace Signorini
     recorder->add_path_error(my_path_error, problem.state.time);
     if (scene.contact.chosen().has_friction)
       recorder->add_deviation_of_loads(my_deviation, problem.state.time);
-    const Snapshot<dim> now = problem.equilibrium->snapshot(step);
+    Snapshot<dim> now = problem.equilibrium->snapshot(step);
+    now.parts         = refinement.path_parts;
     if (after_step)
       after_step(now);
     recorder->add_step(now,

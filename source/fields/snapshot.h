@@ -31,6 +31,8 @@ namespace Signorini
     const std::vector<double> &friction_bound_at_start;
     double                     time;
     unsigned int               step;
+    /// Number of equal parts in which load steps were solved.
+    unsigned int parts = 1;
     /// Results of recovered_pressure() by pair. Copies share them.
     std::shared_ptr<std::map<unsigned int, LA::Vector>> recovered =
       std::make_shared<std::map<unsigned int, LA::Vector>>();

@@ -320,7 +320,7 @@ namespace Signorini
     all.push_back(check_something_acts(scene, now, acts));
     // The order is that of the report. All checks are evaluated on all ranks, also those that do
     // not communicate.
-    for (const auto &some : {check_locking(scene, now),
+    for (const auto &some : {check_locking(now),
                              check_pairs(decisions, now, extremes, results, scale),
                              check_normal_forces(results, scale),
                              check_peaks(results, scale),

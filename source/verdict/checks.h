@@ -84,11 +84,10 @@ namespace Signorini
 
   /// @return the check of volumetric locking in nearly incompressible bodies in displacement form,
   /// by the share of spurious volumetric energy. Collective.
-  /// @param scene the scene
   /// @param now the solution
   template <int dim>
   std::vector<CheckResult>
-  check_locking(const Scene<dim> &scene, const Snapshot<dim> &now);
+  check_locking(const Snapshot<dim> &now);
 
   /// @return checks of each pair: inactive pairs, contact zones of a few faces, large motions of
   /// surfaces, misaligned normals, initial overlaps larger than faces, facets, choice of the slave,

@@ -206,7 +206,7 @@ namespace Signorini
   // and do not lock.
   template <int dim>
   std::vector<CheckResult>
-  check_locking(const Scene<dim> &scene, const Snapshot<dim> &now)
+  check_locking(const Snapshot<dim> &now)
   {
     constexpr double least_ratio = 0.4; // below there is little to lock
     if (now.elasticity.model() == Model::plane_stress)
@@ -234,16 +234,14 @@ namespace Signorini
       "' is nearly incompressible and locks on this mesh: that fraction of its energy is spurious volumetric "
       "energy within cells. The relative error of forces is about that value (on triangles and tetrahedra up to three "
       "times that), that of pressures three times as large";
-    check_result.advice = scene.goals.quantities.empty() ?
-                            "set Formulation = mixed with Degree = 2, or use a finer mesh" :
-                            "set Degree = 2 (errors of Formulation = mixed are not estimated)";
+    check_result.advice = "set Formulation = mixed with Degree = 2, or use a finer mesh";
     return {check_result};
   }
 
 
 
   template std::vector<CheckResult>
-  check_locking(const Scene<2> &, const Snapshot<2> &);
+  check_locking(const Snapshot<2> &);
   template std::vector<CheckResult>
-  check_locking(const Scene<3> &, const Snapshot<3> &);
+  check_locking(const Snapshot<3> &);
 } // namespace Signorini

@@ -360,7 +360,7 @@ namespace Signorini
           check_results.push_back(check_penalty_roundoff(now, i, extent));
         if (!pair.friction.is_zero())
           for (const CheckResult &one : check_friction(
-                 pair.name, results["pairs"][pair.name], extent, surface.face_size, now.step))
+                 pair.name, results["pairs"][pair.name], extent, surface.face_size, now.step * now.parts))
             check_results.push_back(one);
         if (obstacle)
           continue;
