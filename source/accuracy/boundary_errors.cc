@@ -306,7 +306,7 @@ namespace Signorini
 
     /// Subtract the integral of d (sigma(u):eps(z) - sigma(u) n.dz/dn - sigma(z) n.du/dn) over the
     /// face, the second of (8.7): the change of the bilinear form by the strip (Hadamard's
-    /// formula), less what tractions and supports on its two sides contribute.
+    /// formula), less what tractions and supports on its two sides contribute; and (8.22).
     template <int dim>
     void
     Boundaries<dim>::add_strip(const Cell                &cell,
@@ -319,6 +319,11 @@ namespace Signorini
       const FEFaceValues<dim> &at = reinit(cell, face);
       std::vector<StressState> states;
       const AtFace<dim>        u = solution_at(cell, at, states);
+      for (const unsigned int q : at.quadrature_point_indices())
+        errors.of_energy[cell->active_cell_index()] +=
+          at.JxW(q) * measure(elasticity.model(), at.quadrature_point(q)) * strip[q] *
+          (states[q].energy -
+           u.traction(q, at.normal_vector(q)) * u.slope(q, at.normal_vector(q)));
       for (unsigned int k = 0; k < duals.size(); ++k)
         {
           const AtFace<dim> z = dual_at(duals[k], cell, at, states);
@@ -370,6 +375,7 @@ namespace Signorini
       BoundaryErrors     result;
       result.of_supports.assign(duals.size(), std::vector<double>(n, 0.));
       result.of_geometry = result.of_supports;
+      result.of_energy.assign(n, 0.);
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int f : cell->face_indices())

@@ -95,6 +95,10 @@ namespace Signorini
                  " has no error bound: the tangent at the solution is not positive definite, so that "
                  "other solutions are near (a buckling or limit point was passed); set Load steps/End "
                  "time to a smaller load";
+        if (histories[i].is_zero())
+          return name +
+                 " is zero, as far as its error bounds tell, and no bound can be small relative to "
+                 "it; choose another Accuracy/Quantity, or another component";
         if (histories[i].diverges())
           return name +
                  " grows with every refinement: the exact value is unbounded (sharp edge, point "

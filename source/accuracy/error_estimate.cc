@@ -101,8 +101,11 @@ namespace Signorini
             of_cells[cell] += boundaries.of_supports[i][cell] + of_dirichlet[cell] + of_points[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);
-            of_cells[cell] += boundaries.of_geometry[i][cell];
-            geometry += boundaries.of_geometry[i][cell];
+            const double of_geometry =
+              boundaries.of_geometry[i][cell] +
+              (functionals[i].is_quadratic ? boundaries.of_energy[cell] : 0.);
+            of_cells[cell] += of_geometry;
+            geometry += of_geometry;
             of_cells[cell] += std::copysign(of_edges[cell], of_cells[cell]);
             edges += of_edges[cell];
           }
@@ -118,7 +121,8 @@ namespace Signorini
         one.parts.discretisation =
           Utilities::MPI::sum(sum, comm) + functionals[i].local +
           (functionals[i].is_quadratic ? -energy / 2 : 0.);
-        one.absolute       = Utilities::MPI::sum(absolute, comm) + std::abs(functionals[i].local) +
+        // What is recovered at a point is less certain than a sum over cells.
+        one.absolute       = Utilities::MPI::sum(absolute, comm) + 2 * std::abs(functionals[i].local) +
                        (functionals[i].is_quadratic ? energy / 2 : 0.);
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
         // The gaps that Nitsche's method leaves are smaller on finer meshes.

@@ -8,15 +8,14 @@
 namespace Signorini
 {
   // The observed reduction of the absolute cell sum, rho of (8.14); the upper limit if there is no
-  // other mesh.
+  // other mesh. It is small where the degree was raised.
   double
   ErrorHistory::reduction() const
   {
-    constexpr double   least = 0.3, cauchy_schwarz_bound = 0.85;
+    constexpr double   least = 0.1, most = 0.85;
     const unsigned int n      = size();
     const double       before = n < 2 ? 0. : meshes[n - 2].absolute;
-    return before > 0 ? std::clamp(meshes[n - 1].absolute / before, least, cauchy_schwarz_bound) :
-                        cauchy_schwarz_bound;
+    return before > 0 ? std::clamp(meshes[n - 1].absolute / before, least, most) : most;
   }
 
 
@@ -47,29 +46,22 @@ namespace Signorini
     const QuantityEstimate &now      = last();
     if (now.is_unstable)
       return {now.value, std::numeric_limits<double>::infinity()};
-    const double            rest = std::abs(now.parts.enforcement) + std::abs(now.parts.algebraic) +
-                        std::abs(now.parts.nonlinear);
-    const double correction = std::abs(now.parts.correction());
     // Errors of penalty and mesh often have opposite signs and cancel; a soft penalty must not
     // profit from that.
-    double error_bound =
-      1.3 * correction + 0.2 * now.absolute + 0.5 * std::abs(now.parts.enforcement);
-    if (!now.is_regularised)
-      error_bound = std::max(error_bound, 0.8 * by_changes());
+    const double correction = now.parts.size_of_correction(),
+                 stiffness  = 0.5 * std::abs(now.parts.enforcement);
+    double       error_bound;
+    if (now.is_regularised && size() > 1)
+      // The dual solution of a regularised quantity belongs to a similar one: it ranks cells well,
+      // but the sum over them is less reliable than the changes from mesh to mesh.
+      error_bound =
+        std::max(0.6 * correction + 0.1 * now.absolute + stiffness, 1.2 * by_changes());
     else
-      {
-        // The dual solution of a regularised quantity belongs to a similar one: it ranks cells
-        // well, but the sum over them is less reliable.
-        const double share = size() == 1 ? 0.7 : size() == 2 ? 0.4 : 0.15;
-        error_bound        = std::max(share * now.absolute + rest, 1.2 * by_changes());
-      }
-    // Errors of cells may cancel in the recovered stress, and not in what recovery does not
-    // contain, such as the edge of contact within a face. On the first mesh, where no change of the
-    // value is known, the Cauchy-Schwarz bound is taken into account.
+      error_bound = std::max(1.3 * correction + 0.2 * now.absolute + stiffness, 0.5 * by_changes());
+    // Errors of cells may cancel. On the first mesh, where no change of the value is known, the
+    // Cauchy-Schwarz bound is taken into account.
     if (size() == 1)
-      error_bound = std::max({error_bound,
-                              now.cauchy_schwarz_bound / 3,
-                              now.is_regularised ? 0.25 * now.energy * std::abs(now.value) : 0.});
+      error_bound = std::max(error_bound, now.cauchy_schwarz_bound / 6);
     return {now.value,
             error_bound + now.unresolved + now.parts.of_model_and_path() +
               rounding * std::abs(now.value)};
@@ -124,6 +116,20 @@ namespace Signorini
     return BoundedValue{corrected[2],
                         std::max(error_bound, 0.25 * std::abs(correction[2])) +
                           last().parts.of_model_and_path()};
+  }
+
+
+
+  bool
+  ErrorHistory::is_zero() const
+  {
+    constexpr unsigned int enough = 3;
+    constexpr double       small  = 1e-3;
+    return size() >= enough &&
+           std::all_of(meshes.end() - enough, meshes.end(), [](const QuantityEstimate &one) {
+             return std::abs(one.value) <=
+                    small * (one.absolute + std::abs(one.parts.correction()) + one.unresolved);
+           });
   }
 
 

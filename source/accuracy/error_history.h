@@ -39,6 +39,14 @@ namespace Signorini
     {
       return discretisation + geometry + enforcement + nonlinear + algebraic;
     }
+
+    /// @return a size of this sum in which the part of the geometry does not cancel others: it is
+    /// less certain, and changes its sign where levels of refinement meet.
+    double
+    size_of_correction() const
+    {
+      return std::abs(correction() - geometry) + std::abs(geometry);
+    }
   };
 
   /// A quantity and its error on one mesh.
@@ -122,6 +130,11 @@ namespace Signorini
     /// smaller by half.
     std::optional<BoundedValue>
     extrapolated() const;
+
+    /// @return whether the value has been far smaller than its bound on several meshes, so that a
+    /// bound relative to it has no meaning: it is zero, as far as is known.
+    bool
+    is_zero() const;
 
     /// @return whether the value changes by nearly as much on each of several meshes: it has no
     /// limit, or the meshes are far from it.

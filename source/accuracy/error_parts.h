@@ -63,6 +63,8 @@ namespace Signorini
     /// (Hadamard's formula), and loads and supports act on the boundary of the cells instead of the
     /// true one: - int d (sigma(u):eps(z) - sigma(u) n.dz/dn - sigma(z) n.du/dn) dA.
     std::vector<std::vector<double>> of_geometry;
+    /// [cell]: what the energy, a quantity that is an integral over the bodies, has in addition, (8.22).
+    std::vector<double> of_energy;
   };
 
   /// @return the contributions of boundaries. Collective.
