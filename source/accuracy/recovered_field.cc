@@ -110,7 +110,7 @@ namespace Signorini
               return is_vertex[other->vertex_index(v)];
             }))
           continue;
-        const auto &mapping = elasticity.mesh().mappings()[other->active_fe_index()];
+        const Mapping<dim> &mapping = elasticity.mesh().mapping();
         for (const Point<dim> &unit :
              cell_rule<dim>(other->reference_cell(), points_per_direction(elasticity, other))
                .get_points())

@@ -57,11 +57,11 @@ namespace Signorini
       {
         const auto   &cell = sample.cell;
         const FEValuesExtractors::Vector u(0);
-        const auto    i = cell->active_fe_index();
-        values          = std::make_unique<FEValues<dim>>(elasticity.mesh().mappings()[i],
-                                                 elasticity.finite_elements()[i],
-                                                 Quadrature<dim>(sample.unit),
-                                                 update_values | update_gradients);
+        values =
+          std::make_unique<FEValues<dim>>(elasticity.mesh().mapping(),
+                                          elasticity.finite_elements()[cell->active_fe_index()],
+                                          Quadrature<dim>(sample.unit),
+                                          update_values | update_gradients);
         values->reinit(cell);
         std::vector<Tensor<1, dim>> value(1);
         std::vector<Tensor<2, dim>> gradient(1);
