@@ -7,12 +7,14 @@ import sys
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import friction_cases
 import program
 
 TARGETS = (5e-2, 1e-2, 2e-3)
 SCENES = program.ROOT / "tests" / "scenes"
-SMALL, FINITE, INCOMPRESSIBLE, SIMPLICES, TIES, GALLERY = "small strain", "finite strain", "incompressible", "simplices", "ties", "gallery"
-KINDS = (SMALL, FINITE, INCOMPRESSIBLE, SIMPLICES, TIES, GALLERY)
+SMALL, FINITE, INCOMPRESSIBLE, SIMPLICES, TIES = "small strain", "finite strain", "incompressible", "simplices", "ties"
+FRICTION, GALLERY = "friction", "gallery"
+KINDS = (SMALL, FINITE, INCOMPRESSIBLE, SIMPLICES, TIES, FRICTION, GALLERY)
 
 
 @dataclass
@@ -20,9 +22,10 @@ class Case:
     kind: str
     scene: str  # in tests/scenes, or the text of a scene
     keys: dict
-    quantities: dict  # reference; with the entry of the results that has it, for the sweep
+    quantities: dict  # reference; with the entry of the results that has it, for the sweep; with friction {time: reference, or
+    #                   (reference, known_to as a number)}
     known_to: float = 0  # of the references, relative
-    targets: tuple = TARGETS
+    targets: tuple = TARGETS  # None: without a target
     grid: callable = None  # of simplices: (keys of a body, order, factor) -> its Grid
     meshes: tuple = ()  # of simplices, in place of targets: (order, factor)
     parabolas: float = 0  # relative difference between circles and edges of second order, with factor 1: of the order h^4
@@ -495,6 +498,107 @@ CASES |= {
     "tied beam": Case(TIES, BEAM, BEAM_PROBES, beam(0.3)),
     "tied beam 0.5": Case(TIES, BEAM, {**BEAM_PROBES, "Definitions/nu": 0.5}, beam(0.5)),
     "hole": Case(TIES, "tied-hole", {**probe(top=("inner", "0,1"), side=("inner", "1,0")), "Mesh/Refinements": 0}, kirsch()),
+}
+
+
+# ---------------------------------------------------------------- friction
+
+REFERENCE = {"Contact method/Contact geometry": "reference"}
+PLAIN = (None, 5e-2, 1e-2)
+
+
+def of_pair(pair, **quantities):
+    return {f"{name.replace('_', ' ')} of {pair}": references for name, references in quantities.items()}
+
+
+def frictional(scene, keys, quantities, known_to=0, targets=PLAIN):
+    scene = friction_cases.text(scene) if isinstance(scene, dict) else scene
+    return Case(FRICTION, scene, {**REFERENCE, **keys}, quantities, known_to, targets)
+
+
+def coarse(**levels):
+    return {f"Mesh/Refinement regions/{name}/Levels": number for name, number in levels.items()}
+
+
+def punch(model, size, regions, obstacle=friction_cases.FLAT, number=1):
+    return friction_cases.indented(model, size, 10, regions, obstacle, {"Number": number})
+
+
+def by_forces(number):
+    return friction_cases.by_forces({"Number": number}, "600*t", "90*t")
+
+
+def near(size, levels):
+    return friction_cases.squares(0.0, 0.0, size, 1.5, levels)
+
+
+# Own runs: the scene with degree 2, with cells of a quarter to a sixteenth of those of the start and 8 to 64 load steps a leg;
+# known_to: the difference of two such meshes, or to the half-plane.
+# PF-06: work of the box by other elements (a quarter of a cycle a way), and of the half-plane times the same ratio; the zones and
+# slips of the half-plane, which differ from the box by less than known_to; force by own runs with 3 and 4 levels
+# and with a uniform refinement, extrapolated for the corners of the blocks.
+MINDLIN = {**coarse(contact=1), "Load steps/Times": "1, 2, 3, 4"}
+MINDLIN_FORCE = {2: (89.92, 0.012), 3: (0.0, 0.005), 4: (89.92, 0.012)}
+MINDLIN_REST = of_pair("interface", stick_area={2: 1.444149, 3: 1.768714, 4: 1.444149},
+                       largest_slip={2: 2.778185e-4, 3: 1.234928e-4, 4: 2.778185e-4},
+                       friction_work={2: 0.00264868, 3: 0.0032056, 4: 0.00794603})
+MINDLIN_END = of_pair("interface", friction_force={4: (89.92, 0.012)}, stick_area={4: 1.444149}, largest_slip={4: 2.778185e-4},
+                      friction_work={4: 0.00794603})
+TOGETHER = of_pair("interface", friction_force={1: 90}, stick_area={1: 2.0423}, largest_slip={1: (0.0, 1e-9)}, friction_work={1: (0.0, 1e-9)})
+BAR = friction_cases.bar()[0].scene
+CASES |= {
+    "Mindlin": frictional("friction-mindlin", MINDLIN, MINDLIN_REST, 4e-3),
+    "Mindlin, end": frictional("friction-mindlin", {**MINDLIN, "Accuracy/Load steps": "last"}, MINDLIN_END, 4e-3),
+    "Mindlin, force": frictional("friction-mindlin", MINDLIN, of_pair("interface", friction_force=MINDLIN_FORCE)),
+    # PF-07: as before, slip and work of the half-plane; force by own runs.
+    "bulk tension": frictional(friction_cases.bulk_tension()[0].scene, coarse(contact=1),
+                               of_pair("interface", friction_force={2: (89.856, 0.012)}, stick_area={2: 1.444149},
+                                       largest_slip={2: 3.464147e-4}, friction_work={2: 0.0028336}), 4e-3),
+    # PF-08: nothing slips.
+    **{f"together {number}": frictional(by_forces(number), coarse(contact=1), TOGETHER, 4e-3) for number in (1, 5, "automatic")},
+    # PF-10: in a large body that of the half-space, and own runs; the normal force of the cylinder says its half-width.
+    "punch, half-space": frictional(punch("plane strain", 2000, near(1000, 12)), {}, {
+        "normal force of foot": {1: (1.11339e-4, 1e-8)}, **of_pair("foot", friction_force={1: 2.2156e-5}, stick_area={1: 0.6897},
+                                                                  largest_slip={1: (1.938e-5, 1e-7)}, friction_work={1: 6.2533e-11})}, 1e-3),
+    "punch, box": frictional(punch("plane strain", 10, near(4, 2)), {}, {
+        "normal force of foot": {1: (3.4837e-4, 1e-7)}, **of_pair("foot", friction_force={1: 5.6612e-5}, stick_area={1: 0.8330},
+                                                                  friction_work={1: 3.0050e-10})}, 1.5e-3),
+    **{f"cylinder {number}": frictional(punch("plane strain", 2000, near(1000, 10), friction_cases.parabola(0.0065), number), {}, {
+        "normal force of foot": {1: (6.98207e-4, 1e-7)}, "contact area of foot": {1: (1.2422, 1.5e-3)},
+        "stick area of foot": {1: (0.8563, 2e-3)}}) for number in (1, 5)},
+    # PF-11
+    "punch, axisymmetric": frictional(punch("axisymmetric", 40, near(20, 5)), {}, {
+        "normal force of foot": {1: (2.2977e-3, 7e-7)}, **of_pair("foot", stick_area={1: 2.5224}, largest_slip={1: (5.224e-5, 5e-7)},
+                                                                  friction_work={1: (2.942e-9, 4e-12)})}, 5e-4),
+    # The block is 2 % stiffer than the half-space: contact of the sphere by its force, (3 R F / (4 E* 1.04426))^(2/3) pi.
+    "sphere": frictional(punch("axisymmetric", 40, near(20, 6), friction_cases.parabola(1.0194849e-3)), {}, {
+        "normal force of foot": {1: (1.5615e-3, 3e-7)},
+        "contact area of foot": {1: (3.1848, 4e-3)}, "stick area of foot": {1: (2.5565, 6e-3)}}),
+    # PF-05: own runs of 120 x 4 and 240 x 8 cells.
+    "bar": frictional(BAR, {"Bodies/bar/Subdivisions": "60,2", "Bodies/bar/Degree": 1, **probe(q=("bar", "0,0.5"))}, {
+        **of_pair("foot", friction_force={2: 60}, stick_area={2: (30.64, 0.1), 3: (45.73, 0.07)},
+                  largest_slip={2: (8.8512e-3, 4e-6), 3: (4.39046e-3, 2e-6)}, friction_work={2: (0.179633, 5e-5), 3: (0.222493, 3e-5)}),
+        "displacement x of q": {2: (8.8907e-3, 4e-7), 3: (4.3759e-3, 4e-7)}}),
+    # PF-01, 04, 13, 14: exact. The slip of the patch is a vector.
+    "patch": frictional("friction-patch", {}, {"friction force x of interface": {2: 0.28867513, 3: 0.51961524, 4: 0.3208384848},
+                                               "friction force y of interface": {2: 0.16666667, 3: 0.3, 4: 0.5070134778},
+                                               **of_pair("interface", largest_slip={3: 0.00084},
+                                                         friction_work={3: 0.000504, 4: 0.0013114987})}, 1e-6),
+    "cycles": frictional("friction-cycles", {}, of_pair("foot", friction_force={4: 150},
+                                                        friction_work={2: 3.375, 3: 10.125, 4: 16.875}), 1e-6),
+    "ring": frictional("friction-ring", {"Bodies/inner/Cells around": 12, "Bodies/outer/Cells around": 16}, {
+        "normal force of fit": {1: 84.53085 * 60 * math.pi, 3: 84.53085 * 60 * math.pi},
+        **of_pair("fit", stick_area={3: 60 * math.pi}, largest_slip={2: 30 * 1.511905e-4, 3: 30 * 1.511905e-4},
+                  friction_work={2: 71701.61 * 1.511905e-4, 3: 71701.61 * 1.511905e-4})}, 1e-4),
+    "pull": frictional("friction-pull", {"Bodies/inner/Subdivisions": "2,2", "Bodies/outer/Subdivisions": "3,3", "Mesh/Degree": 1}, {
+        **of_pair("fit", friction_force={2: 15496.242, 3: 21749.49}, largest_slip={3: 0.003192934},
+                  friction_work={3: 21749.49 * 0.003192934})}, 1e-6),
+    # Euler and Eytelwein, with the tension in the middle of the thickness.
+    "strap": frictional("friction-strap", {"Bodies/strap/Cells around": 20},
+                        {"force x of wrap": {2: 2 * math.exp(-0.3 * math.pi / 2 * 10 / 10.1)}}, 1e-3),
+    # PF-16: published.
+    "plate": frictional("friction-plate", {"Bodies/plate/Subdivisions": "8,8"}, {
+        "friction force of foot": {1: 1405473}, "displacement x of A": {1: 2.860232e-5}, "displacement x of E": {1: 1.541348e-5}}, 1e-4),
 }
 # Scenes of the gallery, with what a newcomer would ask for.
 GALLERY_SCENES = {

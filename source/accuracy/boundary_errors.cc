@@ -208,13 +208,12 @@ namespace Signorini
     {
       AtFace<dim> result = values_of(dual.displacement, at);
       for (const unsigned int q : at.quadrature_point_indices())
-        result.stress.push_back(states[q].change_of_stress(
-          result.gradient[q],
-          states[q].is_mixed ?
-            elasticity.volumetric_stress().value(*cell,
-                                                 at.quadrature_point(q),
-                                                 dual.volumetric_stress) :
-            0.));
+        result.stress.push_back(
+          states[q].change_of_stress(result.gradient[q],
+                                     states[q].is_mixed ?
+                                       elasticity.volumetric_stress().value(
+                                         *cell, at.quadrature_point(q), dual.volumetric_stress) :
+                                       0.));
       return result;
     }
 
@@ -322,8 +321,7 @@ namespace Signorini
       for (const unsigned int q : at.quadrature_point_indices())
         errors.of_energy[cell->active_cell_index()] +=
           at.JxW(q) * measure(elasticity.model(), at.quadrature_point(q)) * strip[q] *
-          (states[q].energy -
-           u.traction(q, at.normal_vector(q)) * u.slope(q, at.normal_vector(q)));
+          (states[q].energy - u.traction(q, at.normal_vector(q)) * u.slope(q, at.normal_vector(q)));
       for (unsigned int k = 0; k < duals.size(); ++k)
         {
           const AtFace<dim> z = dual_at(duals[k], cell, at, states);
@@ -332,8 +330,8 @@ namespace Signorini
               const Tensor<1, dim> &n = at.normal_vector(q);
               errors.of_geometry[k][cell->active_cell_index()] -=
                 at.JxW(q) * measure(elasticity.model(), at.quadrature_point(q)) * strip[q] *
-                (scalar_product(u.stress[q], z.gradient[q]) -
-                 u.traction(q, n) * z.slope(q, n) - z.traction(q, n) * u.slope(q, n));
+                (scalar_product(u.stress[q], z.gradient[q]) - u.traction(q, n) * z.slope(q, n) -
+                 z.traction(q, n) * u.slope(q, n));
             }
         }
     }
@@ -350,7 +348,7 @@ namespace Signorini
       const auto of_face = supports.find(cell->face(face)->boundary_id());
       if (of_face == supports.end())
         return;
-      const FEFaceValues<dim>          &at      = reinit(cell, face);
+      const FEFaceValues<dim>          &at = reinit(cell, face);
       std::vector<StressState>          states;
       const AtFace<dim>                 u       = solution_at(cell, at, states);
       const std::vector<Tensor<1, dim>> lacking = boundary_residual(of_face->second, u, at);

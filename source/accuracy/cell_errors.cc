@@ -81,13 +81,11 @@ namespace Signorini
               {
                 const Point<dim> &x = at.quadrature_point(q);
                 const auto        sigma =
-                  f == 0 ? elasticity.stress(*cell, values.gradient[q], values.u[q], x) :
-                           stress(material,
-                                  strain(elasticity.model(),
-                                         material,
-                                         values.gradient[q],
-                                         values.u[q],
-                                         x));
+                  f == 0 ?
+                           elasticity.stress(*cell, values.gradient[q], values.u[q], x) :
+                           stress(
+                      material,
+                      strain(elasticity.model(), material, values.gradient[q], values.u[q], x));
                 for (unsigned int c = 0; c < n_components; ++c)
                   result[q * n_values() + f * n_components + c] = sigma.access_raw_entry(c);
               }
@@ -108,13 +106,13 @@ namespace Signorini
             result.access_raw_entry(c) = from[field * n_components + c];
           return result;
         };
-        const auto  of_solution = tensor(deviation, 0), sigma = tensor(computed, 0);
+        const auto of_solution = tensor(deviation, 0), sigma = tensor(computed, 0);
         const auto strain         = compliance(material, of_solution);
         result.energy             = of_solution * strain;
         result.energy_of_solution = sigma * compliance(material, sigma);
         for (unsigned int z = 1; z < values.fields.size(); ++z)
           {
-            const auto of_dual = tensor(deviation, z);
+            const auto of_dual              = tensor(deviation, z);
             result.products[z - 1]          = of_dual * strain;
             result.energies_of_duals[z - 1] = of_dual * compliance(material, of_dual);
           }
@@ -125,8 +123,8 @@ namespace Signorini
       FieldValues<dim>       values;
     };
 
-    /// The errors by bodies of any law, (8.20): stress, gradient and volumetric stress of each field
-    /// are recovered, the stress of a dual field by the linearisation at the solution.
+    /// The errors by bodies of any law, (8.20): stress, gradient and volumetric stress of each
+    /// field are recovered, the stress of a dual field by the linearisation at the solution.
     template <int dim>
     class NonlinearErrors
     {
@@ -141,10 +139,13 @@ namespace Signorini
       unsigned int
       n_values() const
       {
-        // The last one is the energy.
+        // Of each field, in this order: stress, gradient, volumetric stress and residual of the
+        // volume. The last value is the energy of the solution.
         return per_field * values.fields.size() + 1;
       }
 
+      // The states of stress at the points are those of the solution, about which the dual fields
+      // are linearised; hence the loop over points inside of that over fields.
       void
       sample(const CellOf<dim> &cell, const FEValues<dim> &at, double *const result)
       {
@@ -157,7 +158,7 @@ namespace Signorini
               {
                 const Point<dim> &x  = at.quadrature_point(q);
                 double *const     to = result + q * n_values() + f * per_field;
-                const auto G = gradient_of_change(model, values.gradient[q], values.u[q], x);
+                const auto        G = gradient_of_change(model, values.gradient[q], values.u[q], x);
                 write(G, to + n_components);
                 if (f == 0)
                   {
@@ -171,10 +172,9 @@ namespace Signorini
                             to);
                     continue;
                   }
-                const double m =
-                  is_mixed ? elasticity.volumetric_stress().value(
-                               *cell, x, values.fields[f].volumetric_stress) :
-                             0.;
+                const double m = is_mixed ? elasticity.volumetric_stress().value(
+                                              *cell, x, values.fields[f].volumetric_stress) :
+                                            0.;
                 write(states[q].change_of_stress(G, m), to);
                 if (is_mixed)
                   write(m, states[q].change_of_volume_residual(G, m), to);
@@ -221,6 +221,7 @@ namespace Signorini
         to[per_field - 1] = volume_residual;
       }
 
+      /// Second variation of the energy between two fields, as far as it is known from one of them:
       /// @return the residual of field `one`, weighted with the error of field `other`: the
       /// deviation of its stress times that of the gradient, and the residual of its volume, which
       /// is zero for the exact field, times the deviation of the volumetric stress.
@@ -230,8 +231,8 @@ namespace Signorini
               const unsigned int  one,
               const unsigned int  other) const
       {
-        const double *const of_one   = deviation + one * per_field,
-                     *const of_other = deviation + other * per_field;
+        const double *const of_one = deviation + one * per_field, *const of_other =
+                                                                    deviation + other * per_field;
         double sum = 0;
         for (unsigned int c = 0; c < n_components; ++c)
           sum += of_one[c] * of_other[n_components + c];
@@ -246,7 +247,8 @@ namespace Signorini
       const unsigned int     per_field;
     };
 
-    /// Integrate the errors of all points.
+    /// Integrate the errors of all points. The kind of errors is a template, since it is called at
+    /// each point.
     template <int dim, typename Errors>
     CellErrors
     integrate(const Elasticity<dim> &elasticity, const std::vector<DualField> &fields)
@@ -264,8 +266,8 @@ namespace Signorini
       result.products.assign(n_duals, std::vector<double>(n, 0.));
       result.cauchy_schwarz_bounds.assign(n_duals, 0.);
       std::vector<double> energies_of_cell(n_duals);
-      PointErrors there{0, 0, std::vector<double>(n_duals), std::vector<double>(n_duals)};
-      double      energy = 0;
+      PointErrors         there{0, 0, std::vector<double>(n_duals), std::vector<double>(n_duals)};
+      double              energy = 0;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {

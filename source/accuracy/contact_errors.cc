@@ -166,15 +166,15 @@ namespace Signorini
       std::vector<const ContactPoint<dim> *> points;
       for (const ContactPoint<dim> &point : surface.points)
         points.push_back(&point);
-      const std::vector<double> opened = gap_increments(points, z),
-                                computed         = point_values(s, pair).pressure;
-      const LA::Vector density                   = by_pressure(s, functional, pair),
-                       pressure = s.elasticity.with_ghosts(recovered_pressure(s, pair));
+      const std::vector<double> opened   = gap_increments(points, z),
+                                computed = point_values(s, pair).pressure;
+      const LA::Vector density           = by_pressure(s, functional, pair),
+                       pressure          = s.elasticity.with_ghosts(recovered_pressure(s, pair));
       for (unsigned int q = 0; q < points.size(); ++q)
         {
           const ContactPoint<dim> &point = *points[q];
-          const double felt = opened[q] + value_at(surface, point, density);
-          const auto   cell = s.elasticity.mesh().triangulation().create_cell_iterator(
+          const double             felt  = opened[q] + value_at(surface, point, density);
+          const auto               cell  = s.elasticity.mesh().triangulation().create_cell_iterator(
             surface.slave_faces[point.face].cell);
           of_cells[cell->active_cell_index()] +=
             point.weight * (value_at(surface, point, pressure) - computed[q]) * felt;

@@ -89,16 +89,17 @@ namespace Signorini
       {
         const LA::Vector    &z   = fields[i].displacement;
         double               sum = 0, absolute = 0, geometry = 0, edges = 0;
-        std::vector<double> &of_cells = result.cells.products[i];
-        const auto of_dirichlet      = dirichlet_contact_errors(snapshot, functionals[i], z);
-        const auto of_points         = pointwise_contact_errors(snapshot, functionals[i], z);
-        const auto of_edges          = unresolved_contact(snapshot, functionals[i], z);
+        std::vector<double> &of_cells     = result.cells.products[i];
+        const auto           of_dirichlet = dirichlet_contact_errors(snapshot, functionals[i], z);
+        const auto           of_points    = pointwise_contact_errors(snapshot, functionals[i], z);
+        const auto           of_edges     = unresolved_contact(snapshot, functionals[i], z);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
             // The sums that enter the bound (8.13) do not contain the parts of geometry and of the
             // edge of contact; the refinement indicators do, the latter with the sign of the rest,
             // so that they never cancel.
-            of_cells[cell] += boundaries.of_supports[i][cell] + of_dirichlet[cell] + of_points[cell];
+            of_cells[cell] +=
+              boundaries.of_supports[i][cell] + of_dirichlet[cell] + of_points[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);
             const double of_geometry =
@@ -114,18 +115,17 @@ namespace Signorini
         one.is_regularised = functionals[i].is_regularised;
         one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(edges, comm) +
                          undetermined_contact(snapshot, functionals[i], z);
-        one.energy               = result.energy;
-        one.cauchy_schwarz_bound =
-          result.cells.cauchy_schwarz_bounds[i] + std::abs(functionals[i].local) +
-          (functionals[i].is_quadratic ? energy / 2 : 0.);
-        one.parts.discretisation =
-          Utilities::MPI::sum(sum, comm) + functionals[i].local +
-          (functionals[i].is_quadratic ? -energy / 2 : 0.);
+        one.cauchy_schwarz_bound = result.cells.cauchy_schwarz_bounds[i] +
+                                   std::abs(functionals[i].local) +
+                                   (functionals[i].is_quadratic ? energy / 2 : 0.);
+        one.parts.discretisation = Utilities::MPI::sum(sum, comm) + functionals[i].local +
+                                   (functionals[i].is_quadratic ? -energy / 2 : 0.);
         // What is recovered at a point is less certain than a sum over cells.
-        one.absolute       = Utilities::MPI::sum(absolute, comm) + 2 * std::abs(functionals[i].local) +
+        one.absolute = Utilities::MPI::sum(absolute, comm) + 2 * std::abs(functionals[i].local) +
                        (functionals[i].is_quadratic ? energy / 2 : 0.);
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
-        // The gaps that Nitsche's method leaves are smaller on finer meshes.
+        // Consistent methods close gaps with the mesh, so that the part of their gaps is none of
+        // the enforcement. The gaps that Nitsche's method leaves are smaller on finer meshes.
         if (const bool is_of_mesh = snapshot.contact.has_stress(); !is_consistent || is_of_mesh)
           {
             const double of_gaps = of_open_gaps(snapshot, duals[i].zeta);

@@ -50,12 +50,11 @@ namespace Signorini
     // profit from that.
     const double correction = now.parts.size_of_correction(),
                  stiffness  = 0.5 * std::abs(now.parts.enforcement);
-    double       error_bound;
+    double error_bound;
     if (now.is_regularised && size() > 1)
       // The dual solution of a regularised quantity belongs to a similar one: it ranks cells well,
       // but the sum over them is less reliable than the changes from mesh to mesh.
-      error_bound =
-        std::max(0.6 * correction + 0.1 * now.absolute + stiffness, 1.2 * by_changes());
+      error_bound = std::max(0.6 * correction + 0.1 * now.absolute + stiffness, 1.2 * by_changes());
     else
       error_bound = std::max(1.3 * correction + 0.2 * now.absolute + stiffness, 0.5 * by_changes());
     // Errors of cells may cancel. On the first mesh, where no change of the value is known, the
@@ -123,12 +122,12 @@ namespace Signorini
   bool
   ErrorHistory::is_zero() const
   {
-    constexpr unsigned int enough = 3;
-    constexpr double       small  = 1e-3;
+    constexpr unsigned int enough = 4;
+    constexpr double       small  = 0.1;
     return size() >= enough &&
            std::all_of(meshes.end() - enough, meshes.end(), [](const QuantityEstimate &one) {
              return std::abs(one.value) <=
-                    small * (one.absolute + std::abs(one.parts.correction()) + one.unresolved);
+                    small * (0.2 * one.absolute + one.parts.size_of_correction() + one.unresolved);
            });
   }
 

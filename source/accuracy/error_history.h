@@ -59,8 +59,6 @@ namespace Signorini
     double absolute = 0;
     /// Size of what is not resolved within a face, such as the edge of contact, (8.9).
     double unresolved = 0;
-    /// Energy norm of the error, relative to that of the solution.
-    double energy = 0;
     /// Bound of the discretisation error by the products of the energy norms of primal and dual
     /// errors, cell by cell.
     double cauchy_schwarz_bound = 0;

@@ -26,7 +26,8 @@ namespace Signorini
   /// zero.
   struct CellErrors
   {
-    /// Square of the energy norm of the error, int e:sigma(e) dV; at finite strain with the tangent.
+    /// Square of the energy norm of the error, int e:sigma(e) dV; at finite strain with the
+    /// tangent.
     std::vector<double> energy;
     /// [quantity][cell]: the energy product of the errors of the solution and of the dual solution,
     /// (8.6) or (8.20).
@@ -63,7 +64,8 @@ namespace Signorini
     /// (Hadamard's formula), and loads and supports act on the boundary of the cells instead of the
     /// true one: - int d (sigma(u):eps(z) - sigma(u) n.dz/dn - sigma(z) n.du/dn) dA.
     std::vector<std::vector<double>> of_geometry;
-    /// [cell]: what the energy, a quantity that is an integral over the bodies, has in addition, (8.22).
+    /// [cell]: what the energy, a quantity that is an integral over the bodies, has in addition,
+    /// (8.22).
     std::vector<double> of_energy;
   };
 
@@ -91,9 +93,9 @@ namespace Signorini
                        const Functional    &functional,
                        const LA::Vector    &dual_displacement);
 
-  /// @return the error, exact minus computed, on each active cell because the pressures of Nitsche's
-  /// method at the contact points differ from the recovered pressure p*, (8.21), where the dual
-  /// solution does not vanish. Collective.
+  /// @return the error, exact minus computed, on each active cell because the pressures of
+  /// Nitsche's method at the contact points differ from the recovered pressure p*, (8.21), where
+  /// the dual solution does not vanish. Collective.
   /// @param snapshot the solution
   /// @param functional the quantity
   /// @param dual_displacement z of the quantity, without its lift

@@ -12,21 +12,21 @@ namespace Signorini
   PathErrors::set(const unsigned int parts, const std::vector<Values> &histories)
   {
     constexpr double                       least = 0.5, most = 0.85;
-    const std::vector<std::vector<Change>> before  = std::move(changes);
-    const Values                          &coarse  = histories.front();
-    first_parts                                    = parts;
+    const std::vector<std::vector<Change>> before = std::move(changes);
+    const Values                          &coarse = histories.front();
+    first_parts                                   = parts;
     changes.assign(coarse.size(), {});
     for (unsigned int step = 0; step < coarse.size(); ++step)
       for (unsigned int i = 0; i < coarse[step].size(); ++i)
         {
+          // Without any change, as where nothing slips, the ratio does not matter.
           Change one{{}, most, std::abs(coarse[step][i])};
           for (unsigned int k = 1; k < histories.size(); ++k)
             one.by_doubling.push_back(std::abs(histories[k][step][i] - histories[k - 1][step][i]));
           if (one.by_doubling.size() > 1)
-            one.ratio =
-              one.by_doubling[0] > 0 ?
-                std::clamp(one.by_doubling[1] / one.by_doubling[0], least, most) :
-                most;
+            one.ratio = one.by_doubling[0] > 0 ?
+                          std::clamp(one.by_doubling[1] / one.by_doubling[0], least, most) :
+                          most;
           else if (step < before.size() && i < before[step].size())
             one.ratio = before[step][i].ratio;
           changes[step].push_back(one);
@@ -35,6 +35,7 @@ namespace Signorini
 
 
 
+  // Histories that were tried know their own changes; none of them is taken for the limit.
   // The sum of the changes with all further doublings, those that were not tried as a geometric
   // series.
   std::vector<double>
@@ -45,12 +46,16 @@ namespace Signorini
     std::vector<double> result;
     for (const Change &one : changes[load_step])
       {
+        // No history with more parts: nothing tells the error, which may be all of the value.
         const int n = one.by_doubling.size();
+        // No history with more parts: nothing tells the error, which may be all of the value.
         if (n == 0)
           {
             result.push_back(one.size);
             continue;
           }
+        // Beyond the last history: the sum of ratio + ratio^2 + ... times its last change.
+        // Beyond the last history: its change times the sum of ratio + ratio^2 + ...
         double rest = one.by_doubling.back() * one.ratio / (1 - one.ratio);
         for (int k = n - 1; k >= std::max(doubling, 0); --k)
           rest += one.by_doubling[k];

@@ -7,6 +7,8 @@
 #include <signorini/base/text.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -95,8 +97,8 @@ namespace Signorini
     const ErrorEstimate *chosen      = &estimate;
     if (scene.goals.has_targets())
       {
-        tolerance             = control.tolerance(tolerance);
-        reason_targets_missed = control.obstacle();
+        tolerance                     = control.tolerance(tolerance);
+        reason_targets_missed         = control.obstacle();
         std::tie(refined_for, chosen) = worst_load_step(control, estimate);
         if (!refined_for)
           return false;
@@ -130,6 +132,8 @@ namespace Signorini
   std::pair<const ErrorControl *, const ErrorEstimate *>
   AdaptiveRefinement<dim>::worst_load_step(ErrorControl &control, const ErrorEstimate &of_end)
   {
+    // The end may have met its target while another load step has not.
+    // The end may have met its target while another load step has not.
     const bool end_is_open = !control.is_met(true) && reason_targets_missed.empty();
     if (&control == &this->control && worst.control && !worst.control->is_met(true) &&
         worst.control->obstacle().empty() &&
@@ -213,20 +217,26 @@ namespace Signorini
     else
       control.add(estimate.quantities);
     if (is_end)
-      end_judged_on = cycle;
+      {
+        end_judged_on = cycle;
+        if (!steps_of_path.empty() && problem.equilibrium->is_path_dependent())
+          control.set_least(least_on_path());
+      }
     report_errors(control);
     return estimate;
   }
 
 
 
-  // Values that pass through zero have to be known relative to their size at the end, or to the
-  // largest so far on the first mesh.
+  // The worst load step is one that a finer mesh can help.
   template <int dim>
   const ErrorControl &
   AdaptiveRefinement<dim>::judge_on_path(const unsigned int cycle)
   {
-    constexpr double small = 0.01;
+    // On the next mesh the same load step ends at the same time, unless load steps are automatic;
+    // then it begins a history of its own.
+    // On the next mesh the same load step ends at the same time, unless load steps are automatic;
+    // then it begins a history of its own.
     const auto [position, is_new] =
       steps_of_path.try_emplace(problem.state.time,
                                 StepOfPath{ErrorControl(scene.goals, scene.refinement), cycle});
@@ -237,24 +247,64 @@ namespace Signorini
     else
       step.control.add(estimate.quantities);
     step.judged_on = cycle;
-    std::vector<double> least(scene.goals.quantities.size());
-    for (unsigned int i = 0; i < least.size(); ++i)
-      {
-        for (const auto &[time, other] : steps_of_path)
-          least[i] =
-            std::max(least[i], small * std::abs(other.control.quantities()[i].last().value));
-        if (control.quantities()[i].size() > 0)
-          least[i] = small * std::abs(control.quantities()[i].last().value);
-      }
-    step.control.set_least(least);
+    step.control.set_least(least_on_path());
     report_errors(step.control);
     step_accuracy = accuracy_results(scene.goals, step.control, estimate);
-    if (!worst.control || step.control.excess_error() > worst.control->excess_error())
+    if (scene.goals.has_targets() && !step.control.is_met(true) &&
+        step.control.obstacle().empty() &&
+        (!worst.control || step.control.excess_error() > worst.control->excess_error()))
       {
         worst.control  = &step.control;
         worst.estimate = estimate;
       }
     return step.control;
+  }
+
+
+
+  // Values that pass through zero, as after unloading, have to be known relative to a tenth of the
+  // largest one of the history so far.
+  template <int dim>
+  std::vector<double>
+  AdaptiveRefinement<dim>::least_on_path() const
+  {
+    constexpr double    small = 0.1;
+    std::vector<double> least(scene.goals.quantities.size(), 0.);
+    const auto          include = [&](const ErrorControl &judged) {
+      for (unsigned int i = 0; i < least.size(); ++i)
+        if (judged.quantities()[i].size() > 0)
+          least[i] = std::max(least[i], small * std::abs(judged.quantities()[i].last().value));
+    };
+    for (const auto &[time, step] : steps_of_path)
+      include(step.control);
+    include(control);
+    return least;
+  }
+
+
+
+  // The work of friction adds up, and the largest slip may be that of a former load step, of which
+  // the dual problem of this one knows nothing.
+  template <int dim>
+  void
+  AdaptiveRefinement<dim>::add_former_errors(ErrorEstimate &estimate) const
+  {
+    const auto next = steps_of_path.lower_bound(problem.state.time);
+    if (next == steps_of_path.begin())
+      return;
+    const ErrorControl             &former = std::prev(next)->second.control;
+    const std::vector<QuantityName> names  = problem.decisions.quantities();
+    for (unsigned int i = 0; i < names.size(); ++i)
+      {
+        const ErrorHistory &history = former.quantities()[i];
+        const double        bound =
+          history.last_bounded().error_bound - history.last().parts.of_model_and_path();
+        QuantityEstimate &one = estimate.quantities[i];
+        if (names[i].what == "friction work")
+          one.unresolved += bound;
+        else if (names[i].what == "largest slip")
+          one.unresolved = std::max(one.unresolved, bound);
+      }
   }
 
 
@@ -343,6 +393,10 @@ namespace Signorini
                                           problem.equilibrium->uses_current_geometry() ?
                                             0. :
                                             problem.equilibrium->neglected().value_or(0.));
+    if (problem.equilibrium->is_path_dependent() && !is_unstable)
+      add_former_errors(result);
+    // Beyond a buckling load the linear solver would not converge, and what it returned would be no
+    // sensitivity of this solution.
     if (is_unstable)
       for (const Functional &one : functionals)
         {

@@ -88,6 +88,13 @@ namespace Signorini
     /// The errors of the path at the present time; empty: none are known.
     std::vector<double>
     errors_of_path() const;
+    /// Smallest sizes of the quantities to which targets are relative, of histories that depend on
+    /// their path.
+    std::vector<double>
+    least_on_path() const;
+    /// Add the errors of quantities that accumulate, at the end of the load step before.
+    void
+    add_former_errors(ErrorEstimate &estimate) const;
     /// The control and estimate for which the mesh is refined: those of the end, or of the load
     /// step of the path whose error is too large by a larger factor. Null: none is too large, or
     /// finer meshes would not help.

@@ -89,8 +89,8 @@ namespace Signorini
     bool
     solve_from_touch(double t, double tolerance);
     /// Measure by how much the quantities change with the length of the load steps, on the present
-    /// mesh, if they depend on it, and choose the number of parts of load steps. Does not change the
-    /// state.
+    /// mesh, if they depend on it, and choose the number of parts of load steps. Does not change
+    /// the state.
     void
     measure_path_errors();
     /// Solve the load history from the undeformed state, each load step in equal parts.
@@ -109,7 +109,9 @@ namespace Signorini
     /// that were tried, or up to a limit.
     /// @param values of the quantities
     unsigned int
-    parts_for_targets(const PathErrors::Values &values, unsigned int first, unsigned int most) const;
+    parts_for_targets(const PathErrors::Values &values,
+                      unsigned int              first,
+                      unsigned int              most) const;
     /// The values of the quantities at the present solution.
     std::vector<double>
     quantity_values();

@@ -126,14 +126,14 @@ namespace Signorini
     // Load steps that were shortened to be solved at all are on the way to those of the scene.
     const std::vector<double> ends = scene.load_steps.ends();
     const bool                has_targets =
-      scene.goals.has_targets() &&
-      (scene.load_steps.is_automatic ||
-       std::any_of(ends.begin(), ends.end(), [&](const double end) {
-         return std::abs(end - position.time) <= 1e-9 * ends.back();
-       }));
+      scene.goals.has_targets() && (scene.load_steps.is_automatic ||
+                                    std::any_of(ends.begin(), ends.end(), [&](const double end) {
+                                      return std::abs(end - position.time) <= 1e-9 * ends.back();
+                                    }));
     if (has_targets && !problem.equilibrium->is_path_dependent())
       return improve_step();
-    if (is_finished()) // the result is judged last
+    // The end of the history is judged as the result, after its load step was recorded.
+    if (is_finished())
       return true;
     const ErrorControl &control = refinement.judge_on_path(position.cycle);
     if (has_targets)

@@ -142,9 +142,9 @@ namespace Signorini
                                                           values[u].gradient(i, 0),
                                                           value,
                                                           probe.point);
-                weights[i] = (of_displacement * value +
-                              of_stress * state.change_of_cauchy_stress(G, 0)) /
-                             cells.size();
+                weights[i] =
+                  (of_displacement * value + of_stress * state.change_of_cauchy_stress(G, 0)) /
+                  cells.size();
               }
             elasticity.constraints().distribute_local_to_global(weights,
                                                                 indices,

@@ -85,7 +85,6 @@ namespace Signorini
         read.absolute             = one.at("absolute");
         read.cauchy_schwarz_bound = one.at("cauchy_schwarz_bound");
         read.unresolved           = one.at("unresolved");
-        read.energy               = results.at("energy");
         read.is_regularised       = one.at("regularised");
         read.is_unstable          = !one.value("stable", true);
         all.push_back(read);

@@ -57,11 +57,11 @@ namespace Signorini
     /// Add the terms of the volumetric stress m to the energy, and the residual of the volume.
     template <int dim>
     void
-    add_volume(const Elasticity<dim>        &elasticity,
-               const CellAccessor<dim>      &cell,
-               const Tensor<2, 3>           &total, // deformation gradient with thermal part
-               const Point<dim>             &X,
-               StressState                  &state)
+    add_volume(const Elasticity<dim>   &elasticity,
+               const CellAccessor<dim> &cell,
+               const Tensor<2, 3>      &total, // deformation gradient with thermal part
+               const Point<dim>        &X,
+               StressState             &state)
     {
       const double m       = elasticity.volumetric_stress().value(cell, X);
       const bool   expands = elasticity.thermal().expands(cell.material_id());
@@ -101,20 +101,22 @@ namespace Signorini
                const Tensor<1, dim>    &u,
                const Point<dim>        &X)
   {
-    std::vector<double>   internal;
-    const Material       &material = elasticity.material(cell.material_id());
-    const MaterialPoint   point    = elasticity.material_point(cell, X, internal);
-    const Tensor<2, 3>    total    = deformation_gradient(elasticity.model(), gradient, u, X);
-    StressState           state;
-    Tensor<2, 3>          F = total;
-    state.response          = response_at(elasticity.model(), point, F);
-    state.is_small          = point.strain_measure == StrainMeasure::small;
-    state.is_mixed          = elasticity.volumetric_stress().is_on(cell);
-    state.energy            = state.response.energy;
+    std::vector<double> internal;
+    const Material     &material = elasticity.material(cell.material_id());
+    const MaterialPoint point    = elasticity.material_point(cell, X, internal);
+    const Tensor<2, 3>  total    = deformation_gradient(elasticity.model(), gradient, u, X);
+    StressState         state;
+    Tensor<2, 3>        F = total;
+    state.response        = response_at(elasticity.model(), point, F);
+    state.is_small        = point.strain_measure == StrainMeasure::small;
+    state.is_mixed        = elasticity.volumetric_stress().is_on(cell);
+    state.energy          = state.response.energy;
     if (!state.is_small)
       {
         state.F       = F;
         state.inverse = invert(F);
+        // The law is asked once more, since its response has the thickness condensed out.
+        // The law is asked once more, since its response has the thickness condensed out.
         if (elasticity.model() == Model::plane_stress)
           {
             const auto T = point.at(symmetrize(transpose(F) * F), ResponseOrder::tangent).tangent;
@@ -127,6 +129,8 @@ namespace Signorini
       state.stress = state.F * Tensor<2, 3>(state.response.stress);
     else
       {
+        // The tangent is that of the law, since thermal strain does not depend on u.
+        // The tangent is that of the law, since thermal strain does not depend on u.
         const SymmetricTensor<2, 3> sigma = elasticity.stress(cell, gradient, u, X);
         state.stress                      = Tensor<2, 3>(sigma);
         // The energy of the part that follows from the displacement.

@@ -14,9 +14,9 @@ namespace Signorini
   /// Bodies in displacement-pressure form have residuals of their volume in addition.
   struct DualSolution
   {
-    LA::Vector   z;       ///< [J per force], a displacement with homogeneous supports
-    PointVectors zeta;    ///< [J per force], of each component; zero at open points
-    LA::Vector volumetric_stress; ///< coefficients of the dual one; empty: no body has one
+    LA::Vector   z;                 ///< [J per force], a displacement with homogeneous supports
+    PointVectors zeta;              ///< [J per force], of each component; zero at open points
+    LA::Vector   volumetric_stress; ///< coefficients of the dual one; empty: no body has one
     double remainder = 0; ///< z.r + zeta.(W d) for the residuals that Newton's method has left
     unsigned int iterations = 0; ///< of the linear solver
   };

@@ -359,8 +359,11 @@ namespace Signorini
         if (!decisions.scene.contact.chosen().has_multipliers())
           check_results.push_back(check_penalty_roundoff(now, i, extent));
         if (!pair.friction.is_zero())
-          for (const CheckResult &one : check_friction(
-                 pair.name, results["pairs"][pair.name], extent, surface.face_size, now.step * now.parts))
+          for (const CheckResult &one : check_friction(pair.name,
+                                                       results["pairs"][pair.name],
+                                                       extent,
+                                                       surface.face_size,
+                                                       now.step * now.parts))
             check_results.push_back(one);
         if (obstacle)
           continue;

@@ -29,10 +29,12 @@ TEST_CASE("errors of the path contain what is left, whatever their order is")
       {
         CAPTURE(order);
         CAPTURE(parts);
-        const double error = 0.3 * std::pow(parts, -order), bound = of_order(order).errors(0, parts)[0];
+        const double error = 0.3 * std::pow(parts, -order),
+                     bound = of_order(order).errors(0, parts)[0];
         CHECK(bound >= error);
         // Orders above one are not relied on.
-        CHECK(bound <= 1.5 * error * std::pow(parts, std::max(0., order - 1)) * (order > 1 ? 2 : 1));
+        CHECK(bound <=
+              1.5 * error * std::pow(parts, std::max(0., order - 1)) * (order > 1 ? 2 : 1));
       }
 }
 

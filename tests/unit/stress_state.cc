@@ -73,16 +73,18 @@ namespace
     const StressState here = at(0), plus = at(step), minus = at(-step);
     const double      of_q =
       volumetric.empty() ? 0. : volumetric.value(*cell, X, volumetric.with_ghosts(q));
-    const Tensor<2, 3> G = gradient_of_change(elasticity.model(), change, v, X);
-    const auto cauchy    = [](const StressState &state) {
+    const Tensor<2, 3> G      = gradient_of_change(elasticity.model(), change, v, X);
+    const auto         cauchy = [](const StressState &state) {
       return symmetrize(state.stress * transpose(state.F)) / determinant(state.F);
     };
     CHECK((here.change_of_stress(G, of_q) - (plus.stress - minus.stress) / (2 * step)).norm() <
           1e-7 * here.change_of_stress(G, of_q).norm());
-    CHECK((here.change_of_cauchy_stress(G, of_q) - (cauchy(plus) - cauchy(minus)) / (2 * step))
-            .norm() < 1e-7 * here.change_of_stress(G, of_q).norm());
-    CHECK(here.change_of_volume_residual(G, of_q) ==
-          doctest::Approx((plus.volume_residual - minus.volume_residual) / (2 * step)).epsilon(1e-7));
+    CHECK(
+      (here.change_of_cauchy_stress(G, of_q) - (cauchy(plus) - cauchy(minus)) / (2 * step)).norm() <
+      1e-7 * here.change_of_stress(G, of_q).norm());
+    CHECK(
+      here.change_of_volume_residual(G, of_q) ==
+      doctest::Approx((plus.volume_residual - minus.volume_residual) / (2 * step)).epsilon(1e-7));
     // The energy has the stress and the residual of the volume as derivatives.
     CHECK(scalar_product(here.stress, G) + here.volume_residual * of_q ==
           doctest::Approx((plus.energy - minus.energy) / (2 * step)).epsilon(1e-7));

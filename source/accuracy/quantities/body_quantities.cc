@@ -109,9 +109,9 @@ namespace Signorini
     {
       const Elasticity<dim> &elasticity = s.elasticity;
       const auto            &volumetric = elasticity.volumetric_stress();
-      const LA::Vector       ghosted = elasticity.with_ghosts(w),
-                       displacement  = elasticity.with_ghosts(s.displacement);
-      sum.of_volumetric_stress       = volumetric.zero_vector();
+      const LA::Vector       ghosted    = elasticity.with_ghosts(w),
+                       displacement     = elasticity.with_ghosts(s.displacement);
+      sum.of_volumetric_stress          = volumetric.zero_vector();
       WorkDerivative<dim>                  work(elasticity);
       Vector<double>                       values, u;
       std::vector<types::global_dof_index> indices;

@@ -34,8 +34,7 @@ namespace Signorini
             {
               const Point<dim> &x      = values.quadrature_point(q);
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
-              const StressState state =
-                stress_state(elasticity, *cell, at.gradient[q], at.u[q], x);
+              const StressState state = stress_state(elasticity, *cell, at.gradient[q], at.u[q], x);
               sum += weight * state.energy;
               for (unsigned int i = 0; i < indices.size(); ++i)
                 forces[i] +=

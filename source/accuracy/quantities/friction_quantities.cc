@@ -90,8 +90,9 @@ namespace Signorini
   Functional
   stick_area(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
-    // The uncertainty of the edge of a zone, in widths of a face, as for the contact area.
-    const double       sharpness = samples_nodes(s.contact) ? 0.15 : 0.5;
+    // The uncertainty of the edge of a zone, in widths of a face: twice that of the edge of
+    // contact, where a pressure that falls to zero tells the place within the face.
+    const double       sharpness = samples_nodes(s.contact) ? 0.3 : 0.5;
     const unsigned int pair      = number_of_pair(s, name.of);
     Functional         result    = zero_functional(s);
     result.is_regularised        = true;

@@ -55,7 +55,7 @@ namespace Signorini
       SymmetricTensor<2, 3>
       at(const RecoverySample<dim> &sample)
       {
-        const auto   &cell = sample.cell;
+        const auto                      &cell = sample.cell;
         const FEValuesExtractors::Vector u(0);
         values =
           std::make_unique<FEValues<dim>>(elasticity.mesh().mapping(),
@@ -83,21 +83,21 @@ namespace Signorini
         read_indices<dim>(sample.cell, indices);
         Vector<double> weights(indices.size());
         for (unsigned int i = 0; i < indices.size(); ++i)
-          weights[i] = sample.weight *
-                       (of_stress * state.change_of_cauchy_stress(
-                                      gradient_of_change(elasticity.model(),
-                                                         (*values)[u].gradient(i, 0),
-                                                         (*values)[u].value(i, 0),
-                                                         sample.place),
-                                      0));
+          weights[i] =
+            sample.weight *
+            (of_stress *
+             state.change_of_cauchy_stress(gradient_of_change(elasticity.model(),
+                                                              (*values)[u].gradient(i, 0),
+                                                              (*values)[u].value(i, 0),
+                                                              sample.place),
+                                           0));
         elasticity.constraints().distribute_local_to_global(weights, indices, sum.of_displacement);
         if (!state.is_mixed)
           return;
         const auto phi = volumetric.functions(*sample.cell, sample.place);
         for (unsigned int i = 0; i < phi.size(); ++i)
           sum.of_volumetric_stress(volumetric.indices(*sample.cell)[i]) +=
-            sample.weight *
-            (of_stress * state.change_of_cauchy_stress(Tensor<2, 3>(), phi[i]));
+            sample.weight * (of_stress * state.change_of_cauchy_stress(Tensor<2, 3>(), phi[i]));
       }
 
     private:
@@ -138,6 +138,8 @@ namespace Signorini
       SymmetricTensor<2, 3>  result;
       SampledStress<dim>     stress(elasticity, s.displacement);
       functional.of_volumetric_stress = elasticity.volumetric_stress().zero_vector();
+      // Samples may be in ghost cells; their derivatives are sent to the owners of the degrees of
+      // freedom at the end.
       if (cell)
         for (const RecoverySample<dim> &sample : recovery_samples<dim>(elasticity, *cell, x))
           {
@@ -171,14 +173,10 @@ namespace Signorini
     std::vector<Functional> components;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        Functional one = zero_functional(s);
-        one.value      = u[d];
-        const ProbeDerivative derivative =
-          probe_functional(s.elasticity,
-                           s.displacement,
-                           probe,
-                           Tensor<1, dim>(Point<dim>::unit_vector(d)),
-                           {});
+        Functional one                   = zero_functional(s);
+        one.value                        = u[d];
+        const ProbeDerivative derivative = probe_functional(
+          s.elasticity, s.displacement, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {});
         one.of_displacement = derivative.of_displacement;
         set_error_in_held_cell(u.norm(), derivative, one);
         components.push_back(one);
@@ -195,11 +193,11 @@ namespace Signorini
     /// @param of_stress its derivative
     template <int dim>
     Functional
-    function_of_stress(const Snapshot<dim>                                         &s,
-                       const Probe<dim>                                            &probe,
+    function_of_stress(const Snapshot<dim>                                        &s,
+                       const Probe<dim>                                           &probe,
                        const std::function<double(const SymmetricTensor<2, 3> &)> &function,
-                       const SymmetricTensor<2, 3>                                 &of_stress,
-                       const SymmetricTensor<2, 3>                                 &stress)
+                       const SymmetricTensor<2, 3>                                &of_stress,
+                       const SymmetricTensor<2, 3>                                &stress)
     {
       Functional result = zero_functional(s);
       result.value      = function(stress);
@@ -216,6 +214,8 @@ namespace Signorini
 
 
 
+  // The value is that of the elements, as in the results: a mean over the cells that share the
+  // point. Its error is the difference to the recovered stress, and the error of that one.
   template <int dim>
   Functional
   probe_stress(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
@@ -262,9 +262,9 @@ namespace Signorini
       if (elasticity.mesh().body_name(body) == name.of)
         {
           Probe<dim> at;
-          at.body      = name.of;
-          at.point     = stresses[body].von_mises.position;
-          result.value = stresses[body].von_mises.value;
+          at.body                      = name.of;
+          at.point                     = stresses[body].von_mises.position;
+          result.value                 = stresses[body].von_mises.value;
           const auto              cell = own_cell(elasticity, at);
           std::vector<Point<dim>> places;
           if (cell)
@@ -289,9 +289,10 @@ namespace Signorini
                   there   = stress;
                 }
             }
-          there        = Utilities::MPI::sum(there, comm);
-          result.local = von_mises(set_recovered(s, cell, place, by_stress(there), result)) -
-                         result.value;
+          // Ranks without the cell have zero.
+          there = Utilities::MPI::sum(there, comm);
+          result.local =
+            von_mises(set_recovered(s, cell, place, by_stress(there), result)) - result.value;
         }
     return result;
   }
