@@ -30,8 +30,8 @@ namespace Signorini
   /// @param is_consistent whether the contact method closes gaps as the mesh is refined, whatever
   /// its parameter; then there is no error of enforcement
   /// @param path errors of the quantities by the length of load steps; empty: none
-  /// @param neglected relative change of the pressure by which contact in the reference
-  /// configuration is wrong, (5.21)
+  /// @param neglected relative error by contact in the reference configuration, (5.21), and by
+  /// small strain, (6.21)
   /// @return errors of the cells and of all quantities
   template <int dim>
   ErrorEstimate

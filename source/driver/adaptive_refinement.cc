@@ -385,14 +385,15 @@ namespace Signorini
     const PressureShift pressure_shift = scene.contact.chosen().pressure_shift();
     const bool          is_consistent =
       pressure_shift == PressureShift::multiplier || pressure_shift == PressureShift::normal_stress;
-    ErrorEstimate result = error_estimate(now,
-                                          functionals,
-                                          duals,
-                                          is_consistent,
-                                          errors_of_path(),
-                                          problem.equilibrium->uses_current_geometry() ?
-                                            0. :
-                                            problem.equilibrium->neglected().value_or(0.));
+    // What the model leaves out: the current geometry of contact, and with Deformation = automatic
+    // the finite strain that was found to be negligible.
+    double neglected = 0;
+    if (!problem.equilibrium->uses_current_geometry())
+      neglected += problem.equilibrium->neglected().value_or(0.);
+    if (!problem.elasticity->is_finite_strain())
+      neglected += problem.neglected_work.value_or(0.);
+    ErrorEstimate result =
+      error_estimate(now, functionals, duals, is_consistent, errors_of_path(), neglected);
     if (problem.equilibrium->is_path_dependent() && !is_unstable)
       add_former_errors(result);
     // Beyond a buckling load the linear solver would not converge, and what it returned would be no

@@ -114,15 +114,16 @@ namespace Signorini
 
 
   // Estimate (6.21) with the hyperelastic laws that finite strain would use; the limit is the
-  // tolerance or the smallest target error.
+  // tolerance or a share of the smallest target error.
   template <int dim>
   bool
   Problem<dim>::is_small_enough()
   {
     TimerOutput::Scope scope(timer, "deformation");
     double             limit = scene.deformation_share;
+    // It is a part of the error bounds, which leaves room for the others.
     for (const double target : scene.goals.targets)
-      limit = std::min(limit, target);
+      limit = std::min(limit, 0.3 * target);
     Decisions<dim> at_finite_strain = decisions;
     at_finite_strain.finite_strain  = true;
     std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;

@@ -219,7 +219,8 @@ namespace Signorini
     for (const Json &cycle : recorder.cycles())
       if (!cycle.at("accuracy").contains("time")) // of the end of the load history
         refinement.control.add(quantities_of(cycle.at("accuracy")));
-    refinement.tolerance = head.at("tolerance");
+    refinement.tolerance  = head.at("tolerance");
+    refinement.path_parts = head.value("path_parts", 1u);
     if (adds_load_steps)
       check_past();
     former.reset();
@@ -248,6 +249,7 @@ namespace Signorini
                  {"friction_bound", problem.state.friction_bound},
                  {"follows", problem.equilibrium->uses_current_geometry()},
                  {"tolerance", refinement.tolerance},
+                 {"path_parts", refinement.path_parts},
                  {"decisions", problem.decisions.save()},
                  {"neglected_work", problem.neglected_work.value_or(-1)},
                  {"multigrid_cycles", problem.multigrid_cycles()},

@@ -52,8 +52,18 @@ namespace Signorini
     return_to_start();
     for (const double end : ends)
       {
-        if (!solve_in_parts(end, parts, tolerance))
-          return false;
+        // As for the load steps of the run, what is left of one that does not converge is taken in
+        // twice as many parts, from the last one that has converged.
+        const double start = problem.state.time;
+        unsigned int left  = parts;
+        for (unsigned int cuts = 0; !solve_in_parts(end, left, tolerance); ++cuts)
+          {
+            if (cuts == scene.load_steps.cut_backs)
+              return false;
+            const double share = (end - problem.state.time) / (end - start);
+            left =
+              std::max(2u, static_cast<unsigned int>(std::ceil((parts << (cuts + 1)) * share)));
+          }
         values.push_back(quantity_values());
       }
     return true;

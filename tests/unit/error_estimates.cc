@@ -74,7 +74,7 @@ TEST_CASE("bars hold what is left, also where estimates are half of it")
       ErrorHistory history;
       for (const double error : {0.1, 0.05, 0.025})
         history.add(on_mesh(error, effectivity));
-      CHECK(history.last_bounded().error_bound > 0.025 * std::min(1., effectivity * 1.6));
+      CHECK(history.last_bounded().error_bound > 0.025 * std::min(1., effectivity * 1.49));
       CHECK(history.last_bounded().error_bound < 0.1);
     }
   ErrorHistory history;
