@@ -199,6 +199,8 @@ namespace Signorini
 
 
 
+    // Stresses of dual fields are linearised at the solution, so that its states are needed, and
+    // thermal strain, which does not change with the displacement, is not in them.
     template <int dim>
     AtFace<dim>
     Boundaries<dim>::dual_at(const DualField                &dual,

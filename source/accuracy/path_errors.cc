@@ -35,9 +35,8 @@ namespace Signorini
 
 
 
-  // Histories that were tried know their own changes; none of them is taken for the limit.
   // The sum of the changes with all further doublings, those that were not tried as a geometric
-  // series.
+  // series: the last history is not taken for the limit.
   std::vector<double>
   PathErrors::errors(const unsigned int load_step, const unsigned int parts) const
   {
@@ -46,7 +45,6 @@ namespace Signorini
     std::vector<double> result;
     for (const Change &one : changes[load_step])
       {
-        // No history with more parts: nothing tells the error, which may be all of the value.
         const int n = one.by_doubling.size();
         // No history with more parts: nothing tells the error, which may be all of the value.
         if (n == 0)
@@ -54,7 +52,6 @@ namespace Signorini
             result.push_back(one.size);
             continue;
           }
-        // Beyond the last history: the sum of ratio + ratio^2 + ... times its last change.
         // Beyond the last history: its change times the sum of ratio + ratio^2 + ...
         double rest = one.by_doubling.back() * one.ratio / (1 - one.ratio);
         for (int k = n - 1; k >= std::max(doubling, 0); --k)

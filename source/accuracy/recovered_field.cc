@@ -98,7 +98,6 @@ namespace Signorini
                    const Point<dim>                                     &x)
   {
     // The patch is that of collect_patch(), found by one pass over the cells: a probe needs one.
-    // The patch is that of collect_patch(), found by one pass over the cells: a probe needs one.
     std::vector<bool> is_vertex(elasticity.mesh().triangulation().n_vertices(), false);
     for (const unsigned int v : cell->vertex_indices())
       is_vertex[cell->vertex_index(v)] = true;

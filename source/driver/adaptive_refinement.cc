@@ -133,7 +133,6 @@ namespace Signorini
   AdaptiveRefinement<dim>::worst_load_step(ErrorControl &control, const ErrorEstimate &of_end)
   {
     // The end may have met its target while another load step has not.
-    // The end may have met its target while another load step has not.
     const bool end_is_open = !control.is_met(true) && reason_targets_missed.empty();
     if (&control == &this->control && worst.control && !worst.control->is_met(true) &&
         worst.control->obstacle().empty() &&
@@ -233,8 +232,6 @@ namespace Signorini
   const ErrorControl &
   AdaptiveRefinement<dim>::judge_on_path(const unsigned int cycle)
   {
-    // On the next mesh the same load step ends at the same time, unless load steps are automatic;
-    // then it begins a history of its own.
     // On the next mesh the same load step ends at the same time, unless load steps are automatic;
     // then it begins a history of its own.
     const auto [position, is_new] =

@@ -137,6 +137,7 @@ namespace Signorini
     if (is_resolved && hardly_matters)
       return;
 
+    // Two histories suffice to follow an error whose rate is known; three tell the rate.
     unsigned int      &parts       = refinement.path_parts;
     const unsigned int n_histories = is_resolved ? 2 : 3;
     // Not beyond the limit with the finest of three histories either.

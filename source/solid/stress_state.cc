@@ -116,7 +116,6 @@ namespace Signorini
         state.F       = F;
         state.inverse = invert(F);
         // The law is asked once more, since its response has the thickness condensed out.
-        // The law is asked once more, since its response has the thickness condensed out.
         if (elasticity.model() == Model::plane_stress)
           {
             const auto T = point.at(symmetrize(transpose(F) * F), ResponseOrder::tangent).tangent;
@@ -129,7 +128,6 @@ namespace Signorini
       state.stress = state.F * Tensor<2, 3>(state.response.stress);
     else
       {
-        // The tangent is that of the law, since thermal strain does not depend on u.
         // The tangent is that of the law, since thermal strain does not depend on u.
         const SymmetricTensor<2, 3> sigma = elasticity.stress(cell, gradient, u, X);
         state.stress                      = Tensor<2, 3>(sigma);

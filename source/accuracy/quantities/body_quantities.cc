@@ -72,6 +72,7 @@ namespace Signorini
           nonlinear.assemble(cell, material, u, forces, &matrix);
         else
           linear.assemble(cell, material, matrix);
+        // The transpose matters for follower pressures, whose stiffness is not symmetric.
         matrix.Tvmult(result, w);
         if (!pressures.empty() && pressures.assemble(cell, u, forces, &matrix))
           {

@@ -68,6 +68,7 @@ namespace Signorini
         (*values)[u].get_function_values(displacement, value);
         (*values)[u].get_function_gradients(displacement, gradient);
         state = stress_state(elasticity, *cell, gradient[0], value[0], sample.place);
+        // sigma = P F^T/J, as the results have it; at small strain F is the unit tensor.
         return symmetrize(state.stress * transpose(state.F)) / determinant(state.F);
       }
 
