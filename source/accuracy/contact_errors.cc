@@ -120,8 +120,34 @@ namespace Signorini
       return s.elasticity.with_ghosts(result);
     }
 
-    /// Add (8.8) of one pair: the sum of omega p* dA over the points of all faces near nodes
-    /// without multiplier.
+    /// Add the sum of omega q dA over some points of a pair to the cells of their faces, where
+    /// omega = B z + dJ/dp is felt by pressures, and q is the error of the pressure.
+    /// @param points of the pair
+    /// @param error of the pressure at each of them
+    template <int dim>
+    void
+    add_pressure_errors(const Snapshot<dim>                          &s,
+                        const Functional                             &functional,
+                        const LA::Vector                             &z,
+                        const unsigned int                            pair,
+                        const std::vector<const ContactPoint<dim> *> &points,
+                        const std::vector<double>                    &error,
+                        std::vector<double>                          &of_cells)
+    {
+      const ContactSurface<dim> &surface = s.surfaces[pair];
+      const std::vector<double>  opened  = gap_increments(points, z);
+      const LA::Vector           density = by_pressure(s, functional, pair);
+      for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          const double felt = opened[q] + value_at(surface, *points[q], density);
+          const auto   cell = s.elasticity.mesh().triangulation().create_cell_iterator(
+            surface.slave_faces[points[q]->face].cell);
+          of_cells[cell->active_cell_index()] += points[q]->weight * error[q] * felt;
+        }
+    }
+
+    /// Add (8.8) of one pair, over the points of all faces near nodes without multiplier: there the
+    /// whole recovered pressure p* is missing.
     template <int dim>
     void
     add_dirichlet_contact(const Snapshot<dim> &s,
@@ -130,30 +156,24 @@ namespace Signorini
                           const unsigned int   pair,
                           std::vector<double> &of_cells)
     {
-      const ContactSurface<dim>             &surface = s.surfaces[pair];
-      const LA::Vector                       near    = about_dirichlet_nodes(s, pair);
+      const ContactSurface<dim> &surface = s.surfaces[pair];
+      const LA::Vector           near    = about_dirichlet_nodes(s, pair),
+                       pressure          = s.elasticity.with_ghosts(recovered_pressure(s, pair));
       std::vector<const ContactPoint<dim> *> points;
+      std::vector<double>                    missing;
       for (const ContactPoint<dim> &point : surface.points)
         {
           const auto &nodes = surface.slave_faces[point.face].nodes;
           if (std::any_of(nodes.begin(), nodes.end(), [&](const auto n) { return near(n) > 0; }))
-            points.push_back(&point);
+            {
+              points.push_back(&point);
+              missing.push_back(value_at(surface, point, pressure));
+            }
         }
-      const std::vector<double> opened  = gap_increments(points, z);
-      const LA::Vector          density = by_pressure(s, functional, pair),
-                       pressure         = s.elasticity.with_ghosts(recovered_pressure(s, pair));
-      auto opening                      = opened.begin();
-      for (const ContactPoint<dim> *point : points)
-        {
-          const double felt = *opening++ + value_at(surface, *point, density);
-          const auto   cell = s.elasticity.mesh().triangulation().create_cell_iterator(
-            surface.slave_faces[point->face].cell);
-          of_cells[cell->active_cell_index()] +=
-            point->weight * value_at(surface, *point, pressure) * felt;
-        }
+      add_pressure_errors(s, functional, z, pair, points, missing, of_cells);
     }
 
-    /// Add (8.21) of one pair: the sum of omega (p* - p) dA over all points.
+    /// Add (8.21) of one pair: over all points, with the difference of p* and the pressure there.
     template <int dim>
     void
     add_pointwise_contact(const Snapshot<dim> &s,
@@ -162,23 +182,17 @@ namespace Signorini
                           const unsigned int   pair,
                           std::vector<double> &of_cells)
     {
-      const ContactSurface<dim>             &surface = s.surfaces[pair];
+      const ContactSurface<dim> &surface  = s.surfaces[pair];
+      const LA::Vector           pressure = s.elasticity.with_ghosts(recovered_pressure(s, pair));
+      std::vector<double>        error    = point_values(s, pair).pressure;
       std::vector<const ContactPoint<dim> *> points;
       for (const ContactPoint<dim> &point : surface.points)
-        points.push_back(&point);
-      const std::vector<double> opened   = gap_increments(points, z),
-                                computed = point_values(s, pair).pressure;
-      const LA::Vector density           = by_pressure(s, functional, pair),
-                       pressure          = s.elasticity.with_ghosts(recovered_pressure(s, pair));
-      for (unsigned int q = 0; q < points.size(); ++q)
         {
-          const ContactPoint<dim> &point = *points[q];
-          const double             felt  = opened[q] + value_at(surface, point, density);
-          const auto               cell  = s.elasticity.mesh().triangulation().create_cell_iterator(
-            surface.slave_faces[point.face].cell);
-          of_cells[cell->active_cell_index()] +=
-            point.weight * (value_at(surface, point, pressure) - computed[q]) * felt;
+          double &there = error[points.size()];
+          there         = value_at(surface, point, pressure) - there;
+          points.push_back(&point);
         }
+      add_pressure_errors(s, functional, z, pair, points, error, of_cells);
     }
 
     /// @return whether a face has both nodes in contact and others.

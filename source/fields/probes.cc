@@ -2,9 +2,7 @@
 #include "fields/probes.h"
 
 #include "fields/probe_cells.h"
-#include "solid/cell_nodes.h"
 #include "solid/stress.h"
-#include "solid/stress_state.h"
 #include <signorini/solid/model.h>
 
 #include <deal.II/base/mpi.h>
@@ -98,80 +96,42 @@ namespace Signorini
   // The transpose of the derivative of evaluate_probes() for one probe: the values and changes of
   // stress of all shape functions of the cells that share the point.
   template <int dim>
-  ProbeDerivative
+  PointDerivative
   probe_functional(const Elasticity<dim>       &elasticity,
                    const LA::Vector            &displacement,
                    const Probe<dim>            &probe,
                    const Tensor<1, dim>        &of_displacement,
                    const SymmetricTensor<2, 3> &of_stress)
   {
-    const MPI_Comm   comm       = elasticity.mesh().communicator();
-    const auto      &volumetric = elasticity.volumetric_stress();
-    const auto       locations  = own_locations<dim>(elasticity, {probe}, probe_tolerance);
-    const auto       claims     = all_claims(locations, comm);
-    const LA::Vector ghosted    = elasticity.with_ghosts(displacement);
-    ProbeDerivative  result     = {elasticity.zero_vector(), volumetric.zero_vector()};
+    const MPI_Comm  comm      = elasticity.mesh().communicator();
+    const auto      locations = own_locations<dim>(elasticity, {probe}, probe_tolerance);
+    const auto      claims    = all_claims(locations, comm);
+    PointState<dim> state(elasticity, displacement);
+    PointDerivative result(elasticity);
     if (rank_of_best_claim(claims, 0) == Utilities::MPI::this_mpi_process(comm))
       {
         // Values are means over the cells that share the point, so that each cell has the
         // weight one over their number.
         const auto cells = cells_about(elasticity.mesh().mapping(), locations[0], probe.point);
-        std::vector<types::global_dof_index> indices;
-        Vector<double>                       weights;
-        std::vector<Tensor<1, dim>>          at_point(1);
-        std::vector<Tensor<2, dim>>          gradient(1);
         for (const CellLocation<dim> &location : cells)
           {
-            const auto   &cell = location.cell;
-            FEValues<dim> values(elasticity.mesh().mapping(),
-                                 elasticity.finite_elements()[cell->active_fe_index()],
-                                 Quadrature<dim>(location.unit),
-                                 update_values | update_gradients);
-            values.reinit(cell);
-            const FEValuesExtractors::Vector u(0);
-            values[u].get_function_values(ghosted, at_point);
-            values[u].get_function_gradients(ghosted, gradient);
-            const StressState state =
-              stress_state(elasticity, *cell, gradient[0], at_point[0], probe.point);
-            read_indices<dim>(cell, indices);
-            weights.reinit(indices.size());
-            for (unsigned int i = 0; i < indices.size(); ++i)
-              {
-                const Tensor<1, dim> value = values[u].value(i, 0);
-                const Tensor<2, 3>   G     = gradient_of_change(elasticity.model(),
-                                                          values[u].gradient(i, 0),
-                                                          value,
-                                                          probe.point);
-                weights[i] =
-                  (of_displacement * value + of_stress * state.change_of_cauchy_stress(G, 0)) /
-                  cells.size();
-              }
-            elasticity.constraints().distribute_local_to_global(weights,
-                                                                indices,
-                                                                result.of_displacement);
-            if (!state.is_mixed)
-              continue;
-            const auto phi = volumetric.functions(*cell, probe.point);
-            for (unsigned int i = 0; i < phi.size(); ++i)
-              result.of_volumetric_stress(volumetric.indices(*cell)[i]) +=
-                of_stress * state.change_of_cauchy_stress(Tensor<2, 3>(), phi[i]) / cells.size();
+            state.evaluate(location.cell, location.unit, probe.point);
+            state.add_derivative(1. / cells.size(), of_displacement, of_stress, result);
           }
       }
-    result.of_displacement.compress(VectorOperation::add);
-    if (result.of_volumetric_stress.size() > 0)
-      result.of_volumetric_stress.compress(VectorOperation::add);
+    result.compress();
     return result;
   }
 
 
 
-  template ProbeDerivative
+  template PointDerivative
   probe_functional(const Elasticity<2> &,
                    const LA::Vector &,
                    const Probe<2> &,
                    const Tensor<1, 2> &,
                    const SymmetricTensor<2, 3> &);
-  template ProbeDerivative
+  template PointDerivative
   probe_functional(const Elasticity<3> &,
                    const LA::Vector &,
                    const Probe<3> &,

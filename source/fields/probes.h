@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "solid/elasticity.h"
+#include "fields/point_state.h"
 #include <signorini/contact/pair.h>
 #include <signorini/fields/probe.h>
 
@@ -60,13 +60,6 @@ namespace Signorini
                   const LA::Vector              &displacement,
                   const std::vector<Probe<dim>> &probes);
 
-  /// Derivatives by the free degrees of freedom of the displacement, and by the coefficients of the
-  /// volumetric stress (empty: no body is in displacement-pressure form).
-  struct ProbeDerivative
-  {
-    LA::Vector of_displacement, of_volumetric_stress;
-  };
-
   /// @return the derivative of of_displacement . u + of_stress : sigma at a probe, in the sense of
   /// evaluate_probes(). The point must be in its body. Collective.
   /// @param elasticity the model
@@ -75,7 +68,7 @@ namespace Signorini
   /// @param of_displacement weights of the components of the displacement
   /// @param of_stress weights of the stress components
   template <int dim>
-  ProbeDerivative
+  PointDerivative
   probe_functional(const Elasticity<dim>               &elasticity,
                    const LA::Vector                    &displacement,
                    const Probe<dim>                    &probe,

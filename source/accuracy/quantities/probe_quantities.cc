@@ -3,16 +3,15 @@
 #include "accuracy/quantities/kinds.h"
 #include "accuracy/recovered_field.h"
 #include "fields/largest_stress.h"
+#include "fields/point_state.h"
 #include "fields/probe_cells.h"
 #include "fields/probes.h"
-#include "solid/cell_nodes.h"
 #include "solid/stress.h"
-#include "solid/stress_state.h"
 
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
+#include <utility>
 
 namespace Signorini
 {
@@ -34,79 +33,12 @@ namespace Signorini
     /// @param size of the displacement or stress there
     void
     set_error_in_held_cell(const double           size,
-                           const ProbeDerivative &derivative,
+                           const PointDerivative &derivative,
                            Functional            &functional)
     {
       if (derivative.of_displacement.linfty_norm() == 0)
         functional.unresolved = size;
     }
-
-    /// The stress at a sample point of the recovery, with its derivatives by the shape functions.
-    template <int dim>
-    class SampledStress
-    {
-    public:
-      SampledStress(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
-        : elasticity(elasticity)
-        , displacement(elasticity.with_ghosts(displacement))
-      {}
-
-      /// @return the Cauchy stress at a sample.
-      SymmetricTensor<2, 3>
-      at(const RecoverySample<dim> &sample)
-      {
-        const auto                      &cell = sample.cell;
-        const FEValuesExtractors::Vector u(0);
-        values =
-          std::make_unique<FEValues<dim>>(elasticity.mesh().mapping(),
-                                          elasticity.finite_elements()[cell->active_fe_index()],
-                                          Quadrature<dim>(sample.unit),
-                                          update_values | update_gradients);
-        values->reinit(cell);
-        std::vector<Tensor<1, dim>> value(1);
-        std::vector<Tensor<2, dim>> gradient(1);
-        (*values)[u].get_function_values(displacement, value);
-        (*values)[u].get_function_gradients(displacement, gradient);
-        state = stress_state(elasticity, *cell, gradient[0], value[0], sample.place);
-        // sigma = P F^T/J, as the results have it; at small strain F is the unit tensor.
-        return symmetrize(state.stress * transpose(state.F)) / determinant(state.F);
-      }
-
-      /// Add the derivative of weight times of_stress : sigma at the sample of the last at().
-      void
-      add_derivative(const RecoverySample<dim>   &sample,
-                     const SymmetricTensor<2, 3> &of_stress,
-                     Functional                  &sum)
-      {
-        const auto                          &volumetric = elasticity.volumetric_stress();
-        const FEValuesExtractors::Vector     u(0);
-        std::vector<types::global_dof_index> indices;
-        read_indices<dim>(sample.cell, indices);
-        Vector<double> weights(indices.size());
-        for (unsigned int i = 0; i < indices.size(); ++i)
-          weights[i] =
-            sample.weight *
-            (of_stress *
-             state.change_of_cauchy_stress(gradient_of_change(elasticity.model(),
-                                                              (*values)[u].gradient(i, 0),
-                                                              (*values)[u].value(i, 0),
-                                                              sample.place),
-                                           0));
-        elasticity.constraints().distribute_local_to_global(weights, indices, sum.of_displacement);
-        if (!state.is_mixed)
-          return;
-        const auto phi = volumetric.functions(*sample.cell, sample.place);
-        for (unsigned int i = 0; i < phi.size(); ++i)
-          sum.of_volumetric_stress(volumetric.indices(*sample.cell)[i]) +=
-            sample.weight * (of_stress * state.change_of_cauchy_stress(Tensor<2, 3>(), phi[i]));
-      }
-
-    private:
-      const Elasticity<dim>         &elasticity;
-      const LA::Vector               displacement;
-      std::unique_ptr<FEValues<dim>> values;
-      StressState                    state;
-    };
 
     /// @return the locally owned cell that a probe belongs to; none on other ranks. Collective.
     template <int dim>
@@ -137,19 +69,20 @@ namespace Signorini
     {
       const Elasticity<dim> &elasticity = s.elasticity;
       SymmetricTensor<2, 3>  result;
-      SampledStress<dim>     stress(elasticity, s.displacement);
-      functional.of_volumetric_stress = elasticity.volumetric_stress().zero_vector();
+      PointState<dim>        state(elasticity, s.displacement);
+      PointDerivative        derivative(elasticity);
       // Samples may be in ghost cells; their derivatives are sent to the owners of the degrees of
       // freedom at the end.
       if (cell)
         for (const RecoverySample<dim> &sample : recovery_samples<dim>(elasticity, *cell, x))
           {
-            result += sample.weight * stress.at(sample);
-            stress.add_derivative(sample, of_stress, functional);
+            state.evaluate(sample.cell, sample.unit, sample.place);
+            result += sample.weight * state.stress();
+            state.add_derivative(sample.weight, Tensor<1, dim>(), of_stress, derivative);
           }
-      functional.of_displacement.compress(VectorOperation::add);
-      if (functional.of_volumetric_stress.size() > 0)
-        functional.of_volumetric_stress.compress(VectorOperation::add);
+      derivative.compress();
+      functional.of_displacement      = std::move(derivative.of_displacement);
+      functional.of_volumetric_stress = std::move(derivative.of_volumetric_stress);
       return Utilities::MPI::sum(result, elasticity.mesh().communicator());
     }
 
@@ -176,7 +109,7 @@ namespace Signorini
       {
         Functional one                   = zero_functional(s);
         one.value                        = u[d];
-        const ProbeDerivative derivative = probe_functional(
+        const PointDerivative derivative = probe_functional(
           s.elasticity, s.displacement, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {});
         one.of_displacement = derivative.of_displacement;
         set_error_in_held_cell(u.norm(), derivative, one);
@@ -274,7 +207,7 @@ namespace Signorini
               for (const unsigned int v : (*cell)->vertex_indices())
                 places.push_back((*cell)->vertex(v));
             }
-          SampledStress<dim>    sampled(elasticity, s.displacement);
+          PointState<dim>       state(elasticity, s.displacement);
           double                largest = -std::numeric_limits<double>::max();
           Point<dim>            place;
           SymmetricTensor<2, 3> there;
@@ -282,7 +215,10 @@ namespace Signorini
             {
               SymmetricTensor<2, 3> stress;
               for (const RecoverySample<dim> &sample : recovery_samples<dim>(elasticity, *cell, x))
-                stress += sample.weight * sampled.at(sample);
+                {
+                  state.evaluate(sample.cell, sample.unit, sample.place);
+                  stress += sample.weight * state.stress();
+                }
               if (von_mises(stress) > largest)
                 {
                   largest = von_mises(stress);
