@@ -2,6 +2,7 @@
 #include "solid/deformation_kernel.h"
 
 #include "materials/symmetric_pairs.h"
+#include "solid/elasticity.h"
 #include "solid/gradient_at_point.h"
 #include "solid/scalar_elements.h"
 
@@ -367,6 +368,25 @@ namespace Signorini
 
 
 
+  // Without displacement-pressure form, internal variables or temperatures these are empty.
+  template <int dim>
+  DeformationKernel<dim>
+  deformation_kernel(const Elasticity<dim> &elasticity)
+  {
+    return {elasticity.mesh(),
+            elasticity.finite_elements(),
+            elasticity.model(),
+            &elasticity.volumetric_stress(),
+            &elasticity.material_history(),
+            &elasticity.thermal()};
+  }
+
+
+
   template class DeformationKernel<2>;
   template class DeformationKernel<3>;
+  template DeformationKernel<2>
+  deformation_kernel(const Elasticity<2> &);
+  template DeformationKernel<3>
+  deformation_kernel(const Elasticity<3> &);
 } // namespace Signorini

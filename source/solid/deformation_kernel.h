@@ -127,4 +127,13 @@ namespace Signorini
     /// the radius.
     std::vector<std::array<double, dim + 1>> slopes;
   };
+
+  template <int dim>
+  class Elasticity;
+
+  /// @return the kernel of all bodies, with their volumetric stress, internal variables and
+  /// temperatures. Refers to elasticity.
+  template <int dim>
+  DeformationKernel<dim>
+  deformation_kernel(const Elasticity<dim> &elasticity);
 } // namespace Signorini

@@ -379,12 +379,7 @@ namespace Signorini
     CellVariables result;
     if (my_history.empty())
       return result;
-    DeformationKernel<dim> kernel(this->mesh(),
-                                  this->finite_elements(),
-                                  this->model(),
-                                  &my_volumetric_stress,
-                                  &my_history,
-                                  &thermal_strain);
+    DeformationKernel<dim> kernel  = deformation_kernel(*this);
     const LA::Vector       ghosted = this->with_ghosts(u);
     Vector<double>         values;
     for (const auto &cell : this->dof_handler().active_cell_iterators())

@@ -24,12 +24,7 @@ namespace Signorini
     , timer(timer)
     , my_volumetric(VolumeConstraint<dim>::create(elasticity))
     , f(elasticity.zero_vector())
-    , kernel(elasticity.mesh(),
-             elasticity.finite_elements(),
-             elasticity.model(),
-             &elasticity.volumetric_stress(),
-             &elasticity.material_history(),
-             &elasticity.thermal())
+    , kernel(deformation_kernel(elasticity))
     , pressures(elasticity)
     , linearisation(Linearisation<dim>::create(form, elasticity, kernel, pressures))
     , rounding_of_strain(elasticity.is_finite_strain() ? size_of_rounding() : 0.)

@@ -50,12 +50,7 @@ namespace Signorini
       explicit WorkDerivative(const Elasticity<dim> &elasticity)
         : elasticity(elasticity)
         , linear(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
-        , nonlinear(elasticity.mesh(),
-                    elasticity.finite_elements(),
-                    elasticity.model(),
-                    &elasticity.volumetric_stress(),
-                    &elasticity.material_history(),
-                    &elasticity.thermal())
+        , nonlinear(deformation_kernel(elasticity))
         , pressures(elasticity)
         , volume(elasticity)
       {}
