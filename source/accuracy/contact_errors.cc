@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/error_parts.h"
 #include "contact/constraints/gap_increments.h"
+#include "fields/friction_fields.h"
 #include "fields/nodal_fields.h"
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
@@ -120,34 +121,105 @@ namespace Signorini
       return s.elasticity.with_ghosts(result);
     }
 
-    /// Add the sum of omega q dA over some points of a pair to the cells of their faces, where
-    /// omega = B z + dJ/dp is felt by pressures, and q is the error of the pressure.
-    /// @param points of the pair
-    /// @param error of the pressure at each of them
+    /// @return the derivative by the tangential traction per area, component by component in space,
+    /// as by_pressure(); empty for laws without tangential components.
+    template <int dim>
+    std::vector<LA::Vector>
+    by_tangential_traction(const Snapshot<dim> &s,
+                           const Functional    &functional,
+                           const unsigned int   pair)
+    {
+      std::vector<LA::Vector> result;
+      if (s.contact.n_components() == 1)
+        return result;
+      PointVectors density(functional.of_traction.begin() + 1, functional.of_traction.end());
+      for (LA::Vector &component : density)
+        {
+          if (functional.lift.size() > 0)
+            component = 0;
+          for (const auto i : component.locally_owned_elements())
+            component(i) = s.contact.weight(i) > 0 ? component(i) / s.contact.weight(i) : 0.;
+          component.compress(VectorOperation::insert);
+        }
+      for (const LA::Vector &component : in_space(s, density))
+        result.push_back(s.elasticity.with_ghosts(nodal_field(s, component, pair)));
+      return result;
+    }
+
+    /// Errors of the traction at some contact points of a pair, exact minus computed.
+    template <int dim>
+    struct TractionErrors
+    {
+      std::vector<unsigned int>   points; ///< their numbers on the surface
+      std::vector<double>         pressure;
+      std::vector<Tensor<1, dim>> tangential; ///< in space; empty for laws without it
+    };
+
+    /// Add the sum of omega . q dA over points to the cells of their faces, where omega is felt by
+    /// tractions, by the pressure B z + dJ/dp, and q is the error of the traction.
     template <int dim>
     void
-    add_pressure_errors(const Snapshot<dim>                          &s,
-                        const Functional                             &functional,
-                        const LA::Vector                             &z,
-                        const unsigned int                            pair,
-                        const std::vector<const ContactPoint<dim> *> &points,
-                        const std::vector<double>                    &error,
-                        std::vector<double>                          &of_cells)
+    add_traction_errors(const Snapshot<dim>       &s,
+                        const Functional          &functional,
+                        const LA::Vector          &z,
+                        const unsigned int         pair,
+                        const TractionErrors<dim> &errors,
+                        std::vector<double>       &of_cells)
     {
-      const ContactSurface<dim> &surface = s.surfaces[pair];
-      const std::vector<double>  opened  = gap_increments(points, z);
-      const LA::Vector           density = by_pressure(s, functional, pair);
+      const ContactSurface<dim>             &surface = s.surfaces[pair];
+      std::vector<const ContactPoint<dim> *> points;
+      std::vector<const SurfaceFrame<dim> *> frames;
+      for (const unsigned int q : errors.points)
+        points.push_back(&surface.points[q]);
+      const std::vector<double>     opened     = gap_increments(points, z);
+      const LA::Vector              density    = by_pressure(s, functional, pair);
+      const std::vector<LA::Vector> tangential = by_tangential_traction(s, functional, pair);
+      std::vector<Tensor<1, dim>>   displaced;
+      if (!tangential.empty())
+        {
+          for (const unsigned int q : errors.points)
+            frames.push_back(&surface.frames[q]);
+          displaced = relative_displacements(points, frames, z);
+        }
       for (unsigned int q = 0; q < points.size(); ++q)
         {
-          const double felt = opened[q] + value_at(surface, *points[q], density);
-          const auto   cell = s.elasticity.mesh().triangulation().create_cell_iterator(
+          double change = errors.pressure[q] * (opened[q] + value_at(surface, *points[q], density));
+          for (unsigned int d = 0; d < tangential.size(); ++d)
+            change += errors.tangential[q][d] *
+                      (displaced[q][d] + value_at(surface, *points[q], tangential[d]));
+          const auto cell = s.elasticity.mesh().triangulation().create_cell_iterator(
             surface.slave_faces[points[q]->face].cell);
-          of_cells[cell->active_cell_index()] += points[q]->weight * error[q] * felt;
+          of_cells[cell->active_cell_index()] += points[q]->weight * points[q]->stretch * change;
         }
     }
 
+    /// @return the recovered tangential traction of a pair, component by component, with ghost
+    /// values; empty for laws without it.
+    template <int dim>
+    std::vector<LA::Vector>
+    recovered_traction(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      std::vector<LA::Vector> result;
+      for (const LA::Vector &component : tangential_traction(s, pair))
+        result.push_back(s.elasticity.with_ghosts(component));
+      return result;
+    }
+
+    /// @return a vector field at a contact point; zero if it has no components.
+    template <int dim>
+    Tensor<1, dim>
+    vector_at(const ContactSurface<dim>     &surface,
+              const ContactPoint<dim>       &point,
+              const std::vector<LA::Vector> &components)
+    {
+      Tensor<1, dim> result;
+      for (unsigned int d = 0; d < components.size(); ++d)
+        result[d] = value_at(surface, point, components[d]);
+      return result;
+    }
+
     /// Add (8.8) of one pair, over the points of all faces near nodes without multiplier: there the
-    /// whole recovered pressure p* is missing.
+    /// whole recovered traction is missing.
     template <int dim>
     void
     add_dirichlet_contact(const Snapshot<dim> &s,
@@ -159,21 +231,24 @@ namespace Signorini
       const ContactSurface<dim> &surface = s.surfaces[pair];
       const LA::Vector           near    = about_dirichlet_nodes(s, pair),
                        pressure          = s.elasticity.with_ghosts(recovered_pressure(s, pair));
-      std::vector<const ContactPoint<dim> *> points;
-      std::vector<double>                    missing;
-      for (const ContactPoint<dim> &point : surface.points)
+      const std::vector<LA::Vector> tangential = recovered_traction(s, pair);
+      TractionErrors<dim>           missing;
+      for (unsigned int q = 0; q < surface.points.size(); ++q)
         {
-          const auto &nodes = surface.slave_faces[point.face].nodes;
+          const ContactPoint<dim> &point = surface.points[q];
+          const auto              &nodes = surface.slave_faces[point.face].nodes;
           if (std::any_of(nodes.begin(), nodes.end(), [&](const auto n) { return near(n) > 0; }))
             {
-              points.push_back(&point);
-              missing.push_back(value_at(surface, point, pressure));
+              missing.points.push_back(q);
+              missing.pressure.push_back(value_at(surface, point, pressure));
+              missing.tangential.push_back(vector_at(surface, point, tangential));
             }
         }
-      add_pressure_errors(s, functional, z, pair, points, missing, of_cells);
+      add_traction_errors(s, functional, z, pair, missing, of_cells);
     }
 
-    /// Add (8.21) of one pair: over all points, with the difference of p* and the pressure there.
+    /// Add (8.21) of one pair: over all points, with the difference of the recovered traction and
+    /// that at the point, whose rows are the points themselves.
     template <int dim>
     void
     add_pointwise_contact(const Snapshot<dim> &s,
@@ -184,15 +259,24 @@ namespace Signorini
     {
       const ContactSurface<dim> &surface  = s.surfaces[pair];
       const LA::Vector           pressure = s.elasticity.with_ghosts(recovered_pressure(s, pair));
-      std::vector<double>        error    = point_values(s, pair).pressure;
-      std::vector<const ContactPoint<dim> *> points;
-      for (const ContactPoint<dim> &point : surface.points)
+      const std::vector<double>  computed = point_values(s, pair).pressure;
+      const std::vector<LA::Vector> tangential = recovered_traction(s, pair);
+      std::vector<LA::Vector>       at_rows;
+      if (!tangential.empty())
+        at_rows =
+          in_space(s, {s.contact_state.traction.begin() + 1, s.contact_state.traction.end()});
+      TractionErrors<dim> errors;
+      auto                row = first_row(s, pair);
+      for (unsigned int q = 0; q < surface.points.size(); ++q, ++row)
         {
-          double &there = error[points.size()];
-          there         = value_at(surface, point, pressure) - there;
-          points.push_back(&point);
+          const ContactPoint<dim> &point = surface.points[q];
+          errors.points.push_back(q);
+          errors.pressure.push_back(value_at(surface, point, pressure) - computed[q]);
+          errors.tangential.push_back(vector_at(surface, point, tangential));
+          for (unsigned int d = 0; d < at_rows.size(); ++d)
+            errors.tangential.back()[d] -= at_rows[d](row) / point.stretch;
         }
-      add_pressure_errors(s, functional, z, pair, points, error, of_cells);
+      add_traction_errors(s, functional, z, pair, errors, of_cells);
     }
 
     /// @return whether a face has both nodes in contact and others.
@@ -240,7 +324,7 @@ namespace Signorini
           for (; last < points.size() && points[last]->face == points[first]->face; ++last)
             {
               const double felt = opened[last] + value_at(surface, *points[last], density);
-              force += points[last]->weight * std::abs(pressure[last]);
+              force += points[last]->weight * points[last]->stretch * std::abs(pressure[last]);
               low  = std::min(low, felt);
               high = std::max(high, felt);
             }

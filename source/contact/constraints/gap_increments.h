@@ -36,4 +36,15 @@ namespace Signorini
   template <int dim>
   std::vector<double>
   gap_increments(const std::vector<const ContactPoint<dim> *> &points, const LA::Vector &u);
+
+  /// @return the relative displacements u^S - u^M of points [length], in the directions of the
+  /// slave. Collective.
+  /// @param points of a surface
+  /// @param frames of these points, with the motion of obstacles
+  /// @param u without ghosts
+  template <int dim>
+  std::vector<dealii::Tensor<1, dim>>
+  relative_displacements(const std::vector<const ContactPoint<dim> *> &points,
+                         const std::vector<const SurfaceFrame<dim> *> &frames,
+                         const LA::Vector                             &u);
 } // namespace Signorini
