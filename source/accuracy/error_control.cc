@@ -40,6 +40,37 @@ namespace Signorini
 
 
 
+  void
+  ErrorControl::follow_path(const std::vector<QuantityEstimate> &on_last_mesh)
+  {
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      histories[i].follow_path(on_last_mesh[i]);
+  }
+
+
+
+  void
+  ErrorControl::set_path(const std::vector<double> &sizes)
+  {
+    for (unsigned int i = 0; i < sizes.size(); ++i)
+      histories[i].set_path(sizes[i]);
+  }
+
+
+
+  bool
+  ErrorControl::is_resolved() const
+  {
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      if (histories[i].size() == 0 ||
+          histories[i].last_bounded().error_bound - histories[i].last().parts.of_model_and_path() >
+            allowed(i))
+        return false;
+    return goals.has_targets();
+  }
+
+
+
   double
   ErrorControl::scale(const unsigned int i) const
   {
@@ -83,7 +114,7 @@ namespace Signorini
 
   // Divergence, or a model error that is nearly as large as the target.
   std::string
-  ErrorControl::obstacle() const
+  ErrorControl::obstacle(const bool path_is_final) const
   {
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
@@ -109,13 +140,14 @@ namespace Signorini
                  short_text(100 * model / std::abs(histories[i].last().value)) +
                  " %, because contact is evaluated in the reference configuration; set Contact "
                  "method/Contact geometry = updated";
-        // On meshes that are too coarse the path is not known either.
+        if (!path_is_final)
+          continue;
         const double path = histories[i].last().parts.path;
-        if (path > 0.9 * allowed(i) && histories[i].last_bounded().error_bound - path < allowed(i))
+        if (path > 0.9 * allowed(i))
           return name + " changes by " +
                  short_text(100 * path / std::abs(histories[i].last().value)) +
                  " % with the length of the load steps, since friction depends on the path; set Load "
-                 "steps/Number (or Times) to more load steps";
+                 "steps/Number (or Times) to more load steps, or raise Accuracy/Time limit";
       }
     return {};
   }

@@ -40,6 +40,21 @@ namespace Signorini
     void
     replace_last(const std::vector<QuantityEstimate> &on_last_mesh);
 
+    /// Replace the estimates on the last mesh by those with other load steps, see
+    /// ErrorHistory::follow_path().
+    /// @param on_last_mesh one entry for each quantity
+    void
+    follow_path(const std::vector<QuantityEstimate> &on_last_mesh);
+
+    /// Set the errors of the path on the last mesh. @param sizes one for each quantity, or none
+    void
+    set_path(const std::vector<double> &sizes);
+
+    /// @return whether the error bounds of all quantities are within their targets but for the
+    /// errors of path and model; false if there are no targets.
+    bool
+    is_resolved() const;
+
     /// @return the histories of all quantities.
     const std::vector<ErrorHistory> &
     quantities() const
@@ -62,8 +77,9 @@ namespace Signorini
 
     /// @return why finer meshes would not help, with the first quantity that cannot reach its
     /// target; empty if they would.
+    /// @param path_is_final whether load steps cannot be shorter than they are
     std::string
-    obstacle() const;
+    obstacle(bool path_is_final) const;
 
     /// @return the refinement indicator of each active cell, (8.16); zero in cells of other ranks.
     /// Without quantities it is the energy of the error. Collective.

@@ -97,6 +97,25 @@ namespace Signorini
       meshes.back() = on_last_mesh;
     }
 
+    /// Replace the estimate on the last mesh by that with other load steps. The values on other
+    /// meshes are taken to change by as much, so that their changes remain those of the meshes.
+    /// @param on_last_mesh the estimate of the solution with the other load steps
+    void
+    follow_path(const QuantityEstimate &on_last_mesh)
+    {
+      const double change = on_last_mesh.value - last().value;
+      for (QuantityEstimate &one : meshes)
+        one.value += change;
+      meshes.back() = on_last_mesh;
+    }
+
+    /// Set the error of the path on the last mesh.
+    void
+    set_path(const double size)
+    {
+      meshes.back().parts.path = size;
+    }
+
     /// @return the number of meshes.
     unsigned int
     size() const

@@ -6,6 +6,22 @@
 
 namespace Signorini
 {
+  namespace
+  {
+    /// @return the factor by which changes decrease, the geometric mean since the largest one:
+    /// values jump as points change from stick to slip, so that a single ratio may be chance. One,
+    /// if they do not decrease yet.
+    double
+    mean_ratio(const std::vector<double> &changes)
+    {
+      const auto largest = std::max_element(changes.begin(), changes.end());
+      const auto n       = changes.end() - largest;
+      return n > 1 && *largest > 0 ? std::pow(changes.back() / *largest, 1. / (n - 1)) : 1.;
+    }
+  } // namespace
+
+
+
   // The changes decrease with the square root of the length of the load steps at least, and a
   // smaller observed ratio than that of order one may be chance.
   void
@@ -15,6 +31,7 @@ namespace Signorini
     const std::vector<std::vector<Change>> before = std::move(changes);
     const Values                          &coarse = histories.front();
     first_parts                                   = parts;
+    has_rate                                      = has_rate || histories.size() > 2;
     changes.assign(coarse.size(), {});
     for (unsigned int step = 0; step < coarse.size(); ++step)
       for (unsigned int i = 0; i < coarse[step].size(); ++i)
@@ -24,9 +41,7 @@ namespace Signorini
           for (unsigned int k = 1; k < histories.size(); ++k)
             one.by_doubling.push_back(std::abs(histories[k][step][i] - histories[k - 1][step][i]));
           if (one.by_doubling.size() > 1)
-            one.ratio = one.by_doubling[0] > 0 ?
-                          std::clamp(one.by_doubling[1] / one.by_doubling[0], least, most) :
-                          most;
+            one.ratio = std::clamp(mean_ratio(one.by_doubling), least, most);
           else if (step < before.size() && i < before[step].size())
             one.ratio = before[step][i].ratio;
           changes[step].push_back(one);
@@ -52,8 +67,11 @@ namespace Signorini
             result.push_back(one.size);
             continue;
           }
-        // Beyond the last history: its change times the sum of ratio + ratio^2 + ...
-        double rest = one.by_doubling.back() * one.ratio / (1 - one.ratio);
+        // Beyond the last history: its change times the sum of ratio + ratio^2 + ... A single
+        // change may be small by chance.
+        const double last =
+          std::max(one.by_doubling.back(), n > 1 ? one.ratio * one.by_doubling[n - 2] : 0.);
+        double rest = last * one.ratio / (1 - one.ratio);
         for (int k = n - 1; k >= std::max(doubling, 0); --k)
           rest += one.by_doubling[k];
         for (int k = n; k < doubling; ++k)

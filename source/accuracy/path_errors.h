@@ -18,7 +18,7 @@ namespace Signorini
     /// of them, the errors decrease as they have done when there were three; with one the history
     /// has no solution with more parts, and the errors are as large as the values.
     /// @param parts of the first history
-    /// @param histories one to three, with as many load steps and quantities
+    /// @param histories at least one, with as many load steps and quantities
     void
     set(unsigned int parts, const std::vector<Values> &histories);
 
@@ -29,11 +29,11 @@ namespace Signorini
       return changes.empty();
     }
 
-    /// @return number of load steps.
-    unsigned int
-    n_load_steps() const
+    /// @return whether three histories have told how errors decrease.
+    bool
+    knows_rate() const
     {
-      return changes.size();
+      return has_rate;
     }
 
     /// @return the errors of all quantities at the end of a load step [quantity units]; without
@@ -57,6 +57,7 @@ namespace Signorini
     };
 
     unsigned int                     first_parts = 1;
+    bool                             has_rate    = false;
     std::vector<std::vector<Change>> changes; ///< [load step][quantity]
   };
 } // namespace Signorini

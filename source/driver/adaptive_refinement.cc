@@ -88,9 +88,10 @@ namespace Signorini
                                    const unsigned int cycle,
                                    Recorder<dim>     &recorder)
   {
-    const ErrorEstimate estimate = judge(control, cycle);
     const bool          is_end   = &control == &this->control;
-    Json                accuracy = accuracy_results(scene.goals, control, estimate);
+    const ErrorEstimate estimate = is_end && of_end ? *of_end : judge(control, cycle);
+    of_end.reset();
+    Json accuracy = accuracy_results(scene.goals, control, estimate);
     if (!is_end)
       step_accuracy = accuracy;
     const ErrorControl  *refined_for = &control;
@@ -98,8 +99,9 @@ namespace Signorini
     if (scene.goals.has_targets())
       {
         tolerance                     = control.tolerance(tolerance);
-        reason_targets_missed         = control.obstacle();
-        std::tie(refined_for, chosen) = worst_load_step(control, estimate);
+        const bool path_is_final      = !is_end || is_resolved(cycle);
+        reason_targets_missed         = control.obstacle(path_is_final);
+        std::tie(refined_for, chosen) = worst_load_step(control, estimate, path_is_final);
         if (!refined_for)
           return false;
         const double stiffening = refined_for->stiffening();
@@ -122,25 +124,6 @@ namespace Signorini
       end_judged_on.reset();
     worst = {};
     return true;
-  }
-
-
-
-  // Histories that depend on their path are solved on each mesh from the start, so that all load
-  // steps have been judged on it when the end has.
-  template <int dim>
-  std::pair<const ErrorControl *, const ErrorEstimate *>
-  AdaptiveRefinement<dim>::worst_load_step(ErrorControl &control, const ErrorEstimate &of_end)
-  {
-    // The end may have met its target while another load step has not.
-    const bool end_is_open = !control.is_met(true) && reason_targets_missed.empty();
-    if (&control == &this->control && worst.control && !worst.control->is_met(true) &&
-        worst.control->obstacle().empty() &&
-        (!end_is_open || worst.control->excess_error() > control.excess_error()))
-      return {worst.control, &worst.estimate};
-    if (!end_is_open)
-      return {nullptr, nullptr};
-    return {&control, &of_end};
   }
 
 
@@ -181,7 +164,9 @@ namespace Signorini
     if (cells > scene.refinement.maximum_cells)
       reason_targets_missed =
         "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
-    else if (limit > 0 && Utilities::MPI::max(now + seconds, comm) > limit)
+    // Histories that depend on their path are solved once more in the end.
+    else if (const double all = (problem.equilibrium->is_path_dependent() ? 2 : 1) * seconds;
+             limit > 0 && Utilities::MPI::max(now + all, comm) > limit)
       reason_targets_missed = "the next mesh would end after Accuracy/Time limit = " +
                               short_text(scene.goals.time_limit, 3) + " minutes";
     else if (!has_memory_for(factor, comm))
@@ -211,7 +196,9 @@ namespace Signorini
   {
     const ErrorEstimate estimate = estimate_errors();
     const bool          is_end   = &control == &this->control;
-    if (is_end && end_judged_on)
+    if (is_end && end_judged_on && problem.equilibrium->is_path_dependent())
+      control.follow_path(estimate.quantities);
+    else if (is_end && end_judged_on)
       control.replace_last(estimate.quantities);
     else
       control.add(estimate.quantities);
@@ -223,101 +210,6 @@ namespace Signorini
       }
     report_errors(control);
     return estimate;
-  }
-
-
-
-  // The worst load step is one that a finer mesh can help.
-  template <int dim>
-  const ErrorControl &
-  AdaptiveRefinement<dim>::judge_on_path(const unsigned int cycle)
-  {
-    // On the next mesh the same load step ends at the same time, unless load steps are automatic;
-    // then it begins a history of its own.
-    const auto [position, is_new] =
-      steps_of_path.try_emplace(problem.state.time,
-                                StepOfPath{ErrorControl(scene.goals, scene.refinement), cycle});
-    StepOfPath         &step     = position->second;
-    const ErrorEstimate estimate = estimate_errors();
-    if (!is_new && step.judged_on == cycle)
-      step.control.replace_last(estimate.quantities);
-    else
-      step.control.add(estimate.quantities);
-    step.judged_on = cycle;
-    step.control.set_least(least_on_path());
-    report_errors(step.control);
-    step_accuracy = accuracy_results(scene.goals, step.control, estimate);
-    if (scene.goals.has_targets() && !step.control.is_met(true) &&
-        step.control.obstacle().empty() &&
-        (!worst.control || step.control.excess_error() > worst.control->excess_error()))
-      {
-        worst.control  = &step.control;
-        worst.estimate = estimate;
-      }
-    return step.control;
-  }
-
-
-
-  // Values that pass through zero, as after unloading, have to be known relative to a tenth of the
-  // largest one of the history so far.
-  template <int dim>
-  std::vector<double>
-  AdaptiveRefinement<dim>::least_on_path() const
-  {
-    constexpr double    small = 0.1;
-    std::vector<double> least(scene.goals.quantities.size(), 0.);
-    const auto          include = [&](const ErrorControl &judged) {
-      for (unsigned int i = 0; i < least.size(); ++i)
-        if (judged.quantities()[i].size() > 0)
-          least[i] = std::max(least[i], small * std::abs(judged.quantities()[i].last().value));
-    };
-    for (const auto &[time, step] : steps_of_path)
-      include(step.control);
-    include(control);
-    return least;
-  }
-
-
-
-  // The work of friction adds up, and the largest slip may be that of a former load step, of which
-  // the dual problem of this one knows nothing.
-  template <int dim>
-  void
-  AdaptiveRefinement<dim>::add_former_errors(ErrorEstimate &estimate) const
-  {
-    const auto next = steps_of_path.lower_bound(problem.state.time);
-    if (next == steps_of_path.begin())
-      return;
-    const ErrorControl             &former = std::prev(next)->second.control;
-    const std::vector<QuantityName> names  = problem.decisions.quantities();
-    for (unsigned int i = 0; i < names.size(); ++i)
-      {
-        const ErrorHistory &history = former.quantities()[i];
-        const double        bound =
-          history.last_bounded().error_bound - history.last().parts.of_model_and_path();
-        QuantityEstimate &one = estimate.quantities[i];
-        if (names[i].what == "friction work")
-          one.unresolved += bound;
-        else if (names[i].what == "largest slip")
-          one.unresolved = std::max(one.unresolved, bound);
-      }
-  }
-
-
-
-  // Load steps between those for which the path was measured have the errors of the next one.
-  template <int dim>
-  std::vector<double>
-  AdaptiveRefinement<dim>::errors_of_path() const
-  {
-    constexpr double rounding = 1e-9;
-    if (path_errors.empty())
-      return {};
-    unsigned int step = 0;
-    while (step + 1 < path_ends.size() && path_ends[step] < (1 - rounding) * problem.state.time)
-      ++step;
-    return path_errors.errors(step, path_parts);
   }
 
 
@@ -389,8 +281,8 @@ namespace Signorini
       neglected += problem.equilibrium->neglected().value_or(0.);
     if (!problem.elasticity->is_finite_strain())
       neglected += problem.neglected_work.value_or(0.);
-    ErrorEstimate result =
-      error_estimate(now, functionals, duals, is_consistent, errors_of_path(), neglected);
+    ErrorEstimate result = error_estimate(
+      now, functionals, duals, is_consistent, errors_of_path(problem.state.time), neglected);
     if (problem.equilibrium->is_path_dependent() && !is_unstable)
       add_former_errors(result);
     // Beyond a buckling load the linear solver would not converge, and what it returned would be no

@@ -48,6 +48,23 @@ namespace Signorini
     /// @return the history of its solutions on all meshes
     const ErrorControl &
     judge_on_path(unsigned int cycle);
+    /// Before a history that depends on its path: its load steps are judged anew.
+    void
+    begin_history()
+    {
+      worst = {};
+    }
+    /// Estimate the errors at the end of a history that depends on its path, for improve().
+    void
+    judge_end(unsigned int cycle);
+    /// @return whether the present mesh has met the targets at all load steps that were judged on
+    /// it, but for the errors of path and model.
+    bool
+    is_resolved(unsigned int cycle) const;
+    /// Take over path_errors, that have been measured since the load steps were judged.
+    /// @param seconds that this has taken, which are not those of a mesh
+    void
+    add_path_errors(unsigned int cycle, double seconds);
     /// After the last mesh on which the targets could have been met. @return why they were not met,
     /// for a message; empty: they are
     std::string
@@ -69,6 +86,13 @@ namespace Signorini
     PathErrors path_errors;
     /// Ends of the load steps to which they belong.
     std::vector<double> path_ends;
+    /// Ends of the load steps of the last history that was judged, and the quantities there.
+    std::vector<double> history_ends;
+    PathErrors::Values  history_values;
+    /// The number of the mesh on which the errors of the path were measured, and whether it
+    /// resolved the quantities.
+    std::optional<unsigned int> path_measured_on;
+    bool                        path_was_resolved = false;
     /// The number of equal parts in which each load step is solved, if the path matters.
     unsigned int path_parts = 1;
     /// Why targets were missed, for a message; empty: no reason is known.
@@ -85,9 +109,9 @@ namespace Signorini
     /// The estimated errors of the last solution. Collective.
     ErrorEstimate
     estimate_errors();
-    /// The errors of the path at the present time; empty: none are known.
+    /// The errors of the path at a time; empty: none are known.
     std::vector<double>
-    errors_of_path() const;
+    errors_of_path(double time) const;
     /// Smallest sizes of the quantities to which targets are relative, of histories that depend on
     /// their path.
     std::vector<double>
@@ -99,8 +123,9 @@ namespace Signorini
     /// step of the path whose error is too large by a larger factor. Null: none is too large, or
     /// finer meshes would not help.
     /// @param of_end estimate of the end
+    /// @param path_is_final whether load steps cannot be shorter than they are
     std::pair<const ErrorControl *, const ErrorEstimate *>
-    worst_load_step(ErrorControl &control, const ErrorEstimate &of_end);
+    worst_load_step(ErrorControl &control, const ErrorEstimate &of_end, bool path_is_final);
 
     const Scene<dim>           &scene;
     Problem<dim>               &problem;
@@ -124,6 +149,9 @@ namespace Signorini
       const ErrorControl *control = nullptr;
       ErrorEstimate       estimate;
     } worst;
+
+    /// The estimate of the end, if judge_end() has made it on the present mesh.
+    std::optional<ErrorEstimate> of_end;
 
     /// Wall time at which the last mesh was estimated [s].
     double last_mesh_at = 0;

@@ -88,11 +88,22 @@ namespace Signorini
     /// Solve a load step with friction, divided where surfaces first meet.
     bool
     solve_from_touch(double t, double tolerance);
+    /// Solve the whole load history on a mesh, and estimate the errors of all load steps, with that
+    /// of the path if the mesh is fine enough. Returns false if a load step has no solution.
+    bool
+    solve_path_for_estimate();
+    /// Solve the load history with the present parts of load steps, and estimate their errors.
+    bool
+    solve_and_judge_history();
+    /// @return whether the errors of the path are to be measured on the present mesh.
+    /// @param is_last whether no other mesh follows
+    bool
+    needs_path_errors(bool is_last) const;
     /// Measure by how much the quantities change with the length of the load steps, on the present
-    /// mesh, if they depend on it, and choose the number of parts of load steps. Does not change
-    /// the state.
+    /// mesh, and choose the number of parts of load steps. Does not change the state.
+    /// @param is_last whether no other mesh follows
     void
-    measure_path_errors();
+    measure_path_errors(bool is_last);
     /// Solve the load history from the undeformed state, each load step in equal parts.
     /// @param ends of the load steps
     /// @param values of the quantities at all ends: out
@@ -105,13 +116,16 @@ namespace Signorini
     /// Solve a load step in a number of equal parts.
     bool
     solve_in_parts(double t, unsigned int parts, double tolerance);
-    /// The least number of parts with which the path errors are small beside the targets, of those
-    /// that were tried, or up to a limit.
+    /// @return whether the path errors are small beside the targets.
     /// @param values of the quantities
+    /// @param parts of load steps: a power of two times those of the first history that was
+    /// measured
+    bool
+    is_path_accurate(const PathErrors::Values &values, unsigned int parts) const;
+    /// The number of parts of load steps that the time limit leaves room for.
+    /// @param seconds_of_part that a history takes for each of them
     unsigned int
-    parts_for_targets(const PathErrors::Values &values,
-                      unsigned int              first,
-                      unsigned int              most) const;
+    parts_in_time(double seconds_of_part) const;
     /// The values of the quantities at the present solution.
     std::vector<double>
     quantity_values();
@@ -183,8 +197,9 @@ namespace Signorini
     };
 
     PathControl              path_control;
-    std::optional<FirstHalf> first_half;    ///< of the load step before, if it is known
-    std::optional<double>    my_path_error; ///< of the last load step, if it was estimated
+    std::optional<FirstHalf> first_half; ///< of the load step before, if it is known
+    double judging_seconds = 0;          ///< of the load steps before the end, on the present mesh
+    std::optional<double> my_path_error; ///< of the last load step, if it was estimated
     /// Of the loads in the last load step, see Equilibrium::deviation_of_loads(), if load steps are
     /// not chosen for the accuracy of the path.
     double my_deviation = 0;

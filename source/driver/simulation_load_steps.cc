@@ -19,37 +19,25 @@ namespace Signorini
   bool
   Simulation<dim>::solve_for_estimate()
   {
-    const double end = scene.load_steps.end_time;
-    Position     start;
-    double       tolerance = refinement.tolerance;
-    refinement.n_steps     = 0;
     if (problem.equilibrium->is_path_dependent())
+      return solve_path_for_estimate();
+    // Only the end counts, and mostly it is found at once.
+    const double end = scene.load_steps.end_time;
+    if (problem.solve(end, refinement.tolerance))
       {
-        // Errors of load steps add up, and the dual problem sees those of the last one alone.
-        constexpr double largest_tolerance = 1e-5;
-        tolerance                          = std::min(tolerance, largest_tolerance);
-        measure_path_errors();
+        refinement.n_steps = problem.report().steps.size();
+        return true;
       }
-    else
-      {
-        // Only the end counts, and mostly it is found at once.
-        if (problem.solve(end, tolerance))
-          {
-            refinement.n_steps = problem.report().steps.size();
-            return true;
-          }
-        if (problem.report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
-          return false;
-        out << "  no convergence in one load step (" << problem.report().reason
-            << "): applying the load in steps" << std::endl;
-        start.longest = end / 2;
-      }
+    if (problem.report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
+      return false;
+    out << "  no convergence in one load step (" << problem.report().reason
+        << "): applying the load in steps" << std::endl;
+    Position start;
+    start.longest      = end / 2;
+    refinement.n_steps = 0;
     return_to_start();
-    return apply_load_history(tolerance, start, [&](auto) {
+    return apply_load_history(refinement.tolerance, start, [&](auto) {
       refinement.n_steps += problem.report().steps.size();
-      if (problem.equilibrium->is_path_dependent() && scene.goals.judge_all_steps() &&
-          start.time < end)
-        refinement.judge_on_path(position.cycle);
       return true;
     });
   }
@@ -81,7 +69,8 @@ namespace Signorini
     // met by a little may not suffice on another path to the solution: hence a tenth of it.
     constexpr double largest_tolerance = 1e-5, margin = 0.1;
     const bool       is_one = scene.load_steps.ends().size() == 1;
-    measure_path_errors();
+    if (needs_path_errors(true))
+      measure_path_errors(true);
     // The meshes before were made for the end of the history, whose state no path has led to.
     if (position.step == 0 && problem.equilibrium->is_path_dependent() && problem.state.time > 0)
       return_to_start();

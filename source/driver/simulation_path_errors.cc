@@ -74,34 +74,96 @@ namespace Signorini
   // A third of the targets is for the path. Values that pass through zero, as after unloading, have
   // to be known relative to a tenth of the largest one of the history.
   template <int dim>
-  unsigned int
-  Simulation<dim>::parts_for_targets(const PathErrors::Values &values,
-                                     const unsigned int        first,
-                                     const unsigned int        most) const
+  bool
+  Simulation<dim>::is_path_accurate(const PathErrors::Values &values,
+                                    const unsigned int        parts) const
   {
     constexpr double    share = 0.3, small = 0.1;
     std::vector<double> least(scene.goals.quantities.size(), 0.);
     for (const std::vector<double> &at_step : values)
       for (unsigned int i = 0; i < least.size(); ++i)
         least[i] = std::max(least[i], small * std::abs(at_step[i]));
-    const auto is_enough = [&](const unsigned int parts) {
-      for (unsigned int step = scene.goals.judge_all_steps() ? 0 : values.size() - 1;
-           step < values.size();
-           ++step)
-        {
-          const std::vector<double> errors = refinement.path_errors.errors(step, parts);
-          for (unsigned int i = 0; i < errors.size(); ++i)
-            if (errors[i] >
-                share * scene.goals.targets[i] * std::max(std::abs(values[step][i]), least[i]))
-              return false;
-        }
+    for (unsigned int step = scene.goals.judge_all_steps() ? 0 : values.size() - 1;
+         step < values.size();
+         ++step)
+      {
+        const std::vector<double> errors = refinement.path_errors.errors(step, parts);
+        for (unsigned int i = 0; i < errors.size(); ++i)
+          if (errors[i] >
+              share * scene.goals.targets[i] * std::max(std::abs(values[step][i]), least[i]))
+            return false;
+      }
+    return true;
+  }
+
+
+
+  // The dual problem of each load step sees its own errors alone, so that load steps are solved
+  // with the tolerance of the end.
+  template <int dim>
+  bool
+  Simulation<dim>::solve_and_judge_history()
+  {
+    Position start;
+    refinement.n_steps = 0;
+    judging_seconds    = 0;
+    refinement.begin_history();
+    refinement.history_ends.clear();
+    refinement.history_values.clear();
+    return_to_start();
+    if (!apply_load_history(scene.newton.tolerance, start, [&](auto) {
+          refinement.n_steps += problem.report().steps.size();
+          refinement.history_ends.push_back(start.time);
+          refinement.history_values.push_back(quantity_values());
+          const double before = clock.wall_time();
+          if (scene.goals.judge_all_steps() && start.time < scene.load_steps.end_time)
+            refinement.judge_on_path(position.cycle);
+          judging_seconds += clock.wall_time() - before;
+          return true;
+        }))
+      return false;
+    refinement.judge_end(position.cycle);
+    return true;
+  }
+
+
+
+  // Meshes that are too coarse need no accurate path. On the first one that is fine enough load
+  // steps get as many parts as the targets need, and the history is solved again with them.
+  template <int dim>
+  bool
+  Simulation<dim>::solve_path_for_estimate()
+  {
+    if (!solve_and_judge_history())
+      return false;
+    if (!needs_path_errors(false))
       return true;
-    };
-    // Powers of two times the first number: those for which errors() knows changes.
-    unsigned int parts = first;
-    while (parts < most && !is_enough(parts))
-      parts *= 2;
-    return parts;
+    const unsigned int parts = refinement.path_parts;
+    measure_path_errors(false);
+    return parts == refinement.path_parts || controls_path() || solve_and_judge_history();
+  }
+
+
+
+  // What was measured on a mesh that resolved the quantities is kept while the path hardly matters.
+  template <int dim>
+  bool
+  Simulation<dim>::needs_path_errors(const bool is_last) const
+  {
+    constexpr double small = 0.1;
+    if (scene.goals.quantities.empty() || !problem.equilibrium->is_path_dependent() ||
+        refinement.path_measured_on == position.cycle)
+      return false;
+    if (refinement.path_errors.empty())
+      return true;
+    const std::vector<ErrorHistory> &histories = refinement.control.quantities();
+    if (refinement.path_was_resolved &&
+        std::all_of(histories.begin(), histories.end(), [&](const ErrorHistory &history) {
+          return history.size() > 0 &&
+                 history.last().parts.path <= small * history.last_bounded().error_bound;
+        }))
+      return false;
+    return is_last || refinement.is_resolved(position.cycle);
   }
 
 
@@ -110,83 +172,113 @@ namespace Signorini
   // automatic load steps the solution is that of halves, see solve_step().
   template <int dim>
   void
-  Simulation<dim>::measure_path_errors()
+  Simulation<dim>::measure_path_errors(const bool is_last)
   {
-    if (scene.goals.quantities.empty() || !problem.equilibrium->is_path_dependent() ||
-        refinement.end_judged_on == position.cycle)
-      return;
-    // What was measured on the mesh before is kept, if that mesh resolved the quantities and the
-    // path hardly mattered; if it mattered, the rate at which the errors decrease is kept.
-    constexpr double                 small     = 0.1;
-    constexpr unsigned int           most      = 64;
-    const std::vector<ErrorHistory> &histories = refinement.control.quantities();
-    const auto                       of_all    = [&](const auto &holds) {
-      return !refinement.path_errors.empty() &&
-             std::all_of(histories.begin(), histories.end(), [&](const ErrorHistory &history) {
-               return history.size() > 0 && holds(history.last_bounded().error_bound,
-                                                  history.last().parts.path,
-                                                  std::abs(history.last().value));
-             });
-    };
-    const bool is_resolved = of_all([](const double bound, const double path, const double value) {
-      return bound - path <= small * value;
-    }),
-               hardly_matters = of_all([](const double bound, const double path, double) {
-                 return path <= small * bound;
-               });
-    if (is_resolved && hardly_matters)
-      return;
-
-    // Two histories suffice to follow an error whose rate is known; three tell the rate.
-    unsigned int      &parts       = refinement.path_parts;
-    const unsigned int n_histories = is_resolved ? 2 : 3;
-    // Not beyond the limit with the finest of three histories either.
-    unsigned int first = is_resolved ? std::max(1u, parts / 2) : std::min(parts, most / 4);
+    constexpr unsigned int most        = 64;
+    constexpr double       small       = 0.1;
+    const double           begin       = clock.wall_time();
+    const bool             has_targets = scene.goals.has_targets(),
+               is_fine                 = has_targets && refinement.is_resolved(position.cycle);
+    unsigned int &parts                = refinement.path_parts;
+    if (controls_path())
+      parts = 2;
+    const unsigned int first = std::max(1u, parts / 2);
+    // Three histories tell the rate at which the error decreases, two follow it. On a mesh that is
+    // too coarse for the targets anyway, two give an idea.
+    const unsigned int n_histories =
+      refinement.path_errors.knows_rate() || (has_targets && !is_fine && !is_last) ? 2 : 3;
     out << "  the path: the load steps in " << first << ", " << 2 * first
         << (n_histories == 2 ? "" : ", " + std::to_string(4 * first)) << " parts" << std::endl;
-    // The tolerances of estimates on coarse meshes would hide the path.
     const double tolerance = scene.newton.tolerance;
     const State  before    = problem.state;
-    return_to_start();
-    Position start;
-    parts = first;
-    refinement.path_ends.clear();
-    std::vector<PathErrors::Values> values(1);
-    bool                            is_solved = apply_load_history(tolerance, start, [&](auto) {
-      refinement.path_ends.push_back(start.time);
-      values[0].push_back(quantity_values());
-      return true;
-    });
-    // The control has solved each load step in two parts already; one part is the coarser history.
-    if (controls_path())
+    bool         is_solved = true;
+    // The present load steps were solved for the estimate already, unless there was none.
+    refinement.path_ends     = refinement.history_ends;
+    PathErrors::Values known = refinement.history_values;
+    if (refinement.end_judged_on != position.cycle || known.empty())
       {
-        first     = 1;
-        parts     = 2;
-        values    = {{}, values[0]};
-        is_solved = is_solved && solve_in_parts(refinement.path_ends, 1, tolerance, values[0]);
+        known.clear();
+        refinement.path_ends.clear();
+        Position start;
+        return_to_start();
+        is_solved = apply_load_history(tolerance, start, [&](auto) {
+          refinement.path_ends.push_back(start.time);
+          known.push_back(quantity_values());
+          return true;
+        });
       }
-    while (is_solved && values.size() < n_histories)
-      {
-        values.emplace_back();
-        is_solved = solve_in_parts(refinement.path_ends,
-                                   first << (values.size() - 1),
-                                   tolerance,
-                                   values.back());
-      }
+    std::vector<PathErrors::Values> values;
+    double                          last_begin = begin;
+    for (unsigned int k = 0; is_solved && k < n_histories; ++k)
+      if ((first << k) == parts)
+        values.push_back(known);
+      else
+        {
+          last_begin = clock.wall_time();
+          values.emplace_back();
+          is_solved = solve_in_parts(refinement.path_ends, first << k, tolerance, values.back());
+        }
     problem.equilibrium->return_to(before);
 
     // A path that could not be followed with shorter steps is not known at all.
     if (!is_solved)
-      values = {values[controls_path() && !values[1].empty() ? 1 : 0]};
+      values = {known};
     for (PathErrors::Values &history : values)
       history.resize(std::max<std::size_t>(1, refinement.path_ends.size()),
-                     std::vector<double>(histories.size(), std::numeric_limits<double>::max()));
-    refinement.path_errors.set(first, values);
-    if (scene.goals.has_targets() && is_solved && !controls_path())
-      parts =
-        parts_for_targets(values.back(), first, is_resolved ? most : first << (n_histories - 1));
+                     std::vector<double>(scene.goals.quantities.size(),
+                                         std::numeric_limits<double>::max()));
+    refinement.path_errors.set(is_solved ? first : parts, values);
+    refinement.path_measured_on = position.cycle;
+    if (has_targets && is_solved && !controls_path() && (is_fine || is_last))
+      {
+        // Twice the parts that were tried at most: the rate is not trusted beyond.
+        unsigned int tried   = first << (n_histories - 1);
+        const auto   in_time = [&] {
+          return std::min(most, parts_in_time((clock.wall_time() - last_begin) / tried));
+        };
+        unsigned int reach = std::min(2 * tried, in_time());
+        while (is_fine && 4 * tried <= in_time() && !is_path_accurate(values.back(), 2 * tried))
+          {
+            tried *= 2;
+            last_begin = clock.wall_time();
+            out << "  the path: the load steps in " << tried << " parts" << std::endl;
+            PathErrors::Values more;
+            if (!solve_in_parts(refinement.path_ends, tried, tolerance, more))
+              break;
+            values.push_back(more);
+            refinement.path_errors.set(first, values);
+            reach = std::min(2 * tried, in_time());
+          }
+        problem.equilibrium->return_to(before);
+        while (2 * parts <= reach && !is_path_accurate(values.back(), parts))
+          parts *= 2;
+      }
     if (parts > 1 && !controls_path())
       out << "  the path: each load step is solved in " << parts << " parts" << std::endl;
+    refinement.add_path_errors(position.cycle, clock.wall_time() - begin);
+    const std::vector<ErrorHistory> &histories = refinement.control.quantities();
+    refinement.path_was_resolved =
+      std::all_of(histories.begin(), histories.end(), [&](const ErrorHistory &history) {
+        return history.size() > 0 &&
+               history.last_bounded().error_bound - history.last().parts.path <=
+                 small * std::abs(history.last().value);
+      });
+  }
+
+
+
+  // The history is solved twice with these parts: for its estimate and for its results.
+  template <int dim>
+  unsigned int
+  Simulation<dim>::parts_in_time(const double seconds_of_part) const
+  {
+    constexpr unsigned int most  = 1u << 20;
+    const double           limit = 60 * scene.goals.time_limit;
+    if (limit == 0 || seconds_of_part == 0)
+      return most;
+    const double left = limit - clock.wall_time() - 2 * judging_seconds;
+    return static_cast<unsigned int>(
+      Utilities::MPI::min(std::clamp(left / (2 * seconds_of_part), 0., double(most)), comm));
   }
 
 
@@ -194,7 +286,9 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template std::vector<double> Simulation<dim>::quantity_values();                                 \
   template bool                Simulation<dim>::solve_in_parts(double, unsigned int, double);      \
-  template void                Simulation<dim>::measure_path_errors();
+  template bool                Simulation<dim>::solve_path_for_estimate();                         \
+  template bool                Simulation<dim>::needs_path_errors(bool) const;                     \
+  template void                Simulation<dim>::measure_path_errors(bool);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

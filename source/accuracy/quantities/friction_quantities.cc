@@ -3,6 +3,7 @@
 #include "accuracy/quantities/kinds.h"
 #include "fields/contact_patch.h"
 #include "fields/friction_fields.h"
+#include "fields/nodal_fields.h"
 #include <signorini/solid/model.h>
 
 #include <algorithm>
@@ -32,6 +33,63 @@ namespace Signorini
     {
       const ContactPatch stick = stick_zone(s, pair);
       return stick.edge < stick.area ? stick.edge / stick.area : 1.;
+    }
+
+    /// @return the size of the slip between the closed point where it is largest and the place
+    /// where it would be larger still: towards the edge of contact, where slips mostly are largest,
+    /// slip grows across one more face by as much as across the faces about that point, and towards
+    /// other edges, of a body or a master, a twentieth of that is missed as the slip there is
+    /// singular. Collective.
+    /// @param slip since the first touch, at the rows
+    template <int dim>
+    double
+    slip_beyond(const Snapshot<dim> &s, const unsigned int pair, const PointVectors &slip)
+    {
+      constexpr double        nearly    = 0.999;
+      const double            at_points = samples_nodes(s.contact) ? 0.15 : 0.3;
+      std::vector<LA::Vector> nodal;
+      for (const LA::Vector &component : in_space(s, slip))
+        nodal.push_back(s.elasticity.with_ghosts(nodal_field(s, component, pair)));
+      const LA::Vector closed = s.elasticity.with_ghosts(nodal_field(s, s.active, pair));
+      const auto       at     = [&](const types::global_dof_index node) {
+        Tensor<1, dim> result;
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = nodal[d](node);
+        return result;
+      };
+      // Of each node: the changes across its faces, their number, and that of faces at the edge.
+      LA::Vector change = s.elasticity.zero_vector(), count = change, open = change;
+      double     most = 0;
+      for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+        {
+          std::vector<types::global_dof_index> inside;
+          for (const auto node : face.nodes)
+            if (closed(node) > 0.5)
+              inside.push_back(node);
+          for (const auto node : inside)
+            {
+              double across = 0;
+              for (const auto other : inside)
+                across = std::max(across, (at(node) - at(other)).norm());
+              most = std::max(most, at(node).norm());
+              if (inside.size() > 1)
+                {
+                  change(node) += across;
+                  count(node) += 1;
+                }
+              if (inside.size() < face.nodes.size())
+                open(node) += 1;
+            }
+        }
+      for (LA::Vector *sum : {&change, &count, &open})
+        sum->compress(VectorOperation::add);
+      const MPI_Comm comm = s.elasticity.mesh().communicator();
+      most                = Utilities::MPI::max(most, comm);
+      double result       = 0;
+      for (const auto i : change.locally_owned_elements())
+        if (count(i) > 0 && at(i).norm() >= nearly * most)
+          result = std::max(result, (open(i) > 0 ? 1 : at_points) * change(i) / count(i));
+      return Utilities::MPI::max(result, comm);
     }
 
     /// Finish the assembly of the derivatives by tractions.
@@ -92,7 +150,7 @@ namespace Signorini
   {
     // The uncertainty of the edge of a zone, in widths of a face: twice that of the edge of
     // contact, where a pressure that falls to zero tells the place within the face.
-    const double       sharpness = samples_nodes(s.contact) ? 0.3 : 0.5;
+    const double       sharpness = samples_nodes(s.contact) ? 0.35 : 0.5;
     const unsigned int pair      = number_of_pair(s, name.of);
     Functional         result    = zero_functional(s);
     result.is_regularised        = true;
@@ -168,6 +226,7 @@ namespace Signorini
     result.unresolved   = share_at_edge(s, pair) * Utilities::MPI::max(missed, comm);
     if (result.value == 0)
       return result;
+    result.unresolved += slip_beyond(s, pair, slip);
     // Of equal slips the first one counts, whatever rank owns it.
     row = Utilities::MPI::min(most == result.value ? row : numbers::invalid_dof_index, comm);
     for (unsigned int a = 0; a < slip.size(); ++a)
