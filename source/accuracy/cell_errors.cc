@@ -247,6 +247,48 @@ namespace Signorini
       const unsigned int     per_field;
     };
 
+    /// @return whether the stress across a cell is not recovered from other cells.
+    template <int dim>
+    bool
+    is_linear_layer(const Elasticity<dim> &elasticity, const CellOf<dim> &cell)
+    {
+      if (cell->reference_cell().is_simplex() ||
+          elasticity.degree(elasticity.mesh().body(cell)) > 1)
+        return false;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
+          return true;
+      return false;
+    }
+
+    /// The energy of the solution and those of dual fields, as far as they vary within a cell.
+    template <typename Errors, typename Cell, typename Recovered>
+    PointErrors
+    variation(Errors &errors, const Cell &cell, const Recovered &at, const unsigned int n_duals)
+    {
+      const unsigned int  n = errors.n_values();
+      std::vector<double> mean(n, 0.), deviation(n);
+      double              volume = 0;
+      for (unsigned int q = 0; q < at.weights.size(); ++q)
+        {
+          volume += at.weights[q];
+          for (unsigned int c = 0; c < n; ++c)
+            mean[c] += at.weights[q] * at.computed[q * n + c];
+        }
+      PointErrors sum{0, 0, std::vector<double>(n_duals), std::vector<double>(n_duals)},
+        there = sum;
+      for (unsigned int q = 0; q < at.weights.size(); ++q)
+        {
+          for (unsigned int c = 0; c < n; ++c)
+            deviation[c] = at.computed[q * n + c] - mean[c] / volume;
+          errors.at_point(cell, &at.computed[q * n], deviation.data(), there);
+          sum.energy += at.weights[q] * there.energy;
+          for (unsigned int z = 0; z < n_duals; ++z)
+            sum.energies_of_duals[z] += at.weights[q] * there.energies_of_duals[z];
+        }
+      return sum;
+    }
+
     /// Integrate the errors of all points. The kind of errors is a template, since it is called at
     /// each point.
     template <int dim, typename Errors>
@@ -264,6 +306,7 @@ namespace Signorini
       CellErrors          result;
       result.energy.assign(n, 0.);
       result.products.assign(n_duals, std::vector<double>(n, 0.));
+      result.layers = result.products;
       result.cauchy_schwarz_bounds.assign(n_duals, 0.);
       std::vector<double> energies_of_cell(n_duals);
       PointErrors         there{0, 0, std::vector<double>(n_duals), std::vector<double>(n_duals)};
@@ -290,6 +333,12 @@ namespace Signorini
               }
             for (unsigned int z = 0; z < n_duals; ++z)
               result.cauchy_schwarz_bounds[z] += std::sqrt(result.energy[i] * energies_of_cell[z]);
+            if (n_duals > 0 && is_linear_layer(elasticity, cell))
+              {
+                const PointErrors within = variation(errors, cell, at, n_duals);
+                for (unsigned int z = 0; z < n_duals; ++z)
+                  result.layers[z][i] = std::sqrt(within.energy * within.energies_of_duals[z]);
+              }
           }
       Utilities::MPI::sum(result.cauchy_schwarz_bounds,
                           triangulation.get_communicator(),

@@ -72,7 +72,10 @@ namespace Signorini
         if (functionals[i].lift.size() > 0)
           fields.back().displacement -= functionals[i].lift;
       }
-    ErrorEstimate result;
+    // A bilinear cell bends too stiffly by 1/(1 - nu^2) - 1 with the nu of plane strain or stress,
+    // as it is not free to contract across, and by more if it is long.
+    constexpr double share_of_layers = 0.3;
+    ErrorEstimate    result;
     result.cells  = cell_errors(snapshot.elasticity, snapshot.displacement, fields);
     double energy = 0;
     for (const double e : result.cells.energy)
@@ -88,16 +91,16 @@ namespace Signorini
     for (unsigned int i = 0; i < duals.size(); ++i)
       {
         const LA::Vector    &z   = fields[i].displacement;
-        double               sum = 0, absolute = 0, geometry = 0, edges = 0;
+        double               sum = 0, absolute = 0, geometry = 0, sizes = 0;
         std::vector<double> &of_cells     = result.cells.products[i];
         const auto           of_dirichlet = dirichlet_contact_errors(snapshot, functionals[i], z);
         const auto           of_points    = pointwise_contact_errors(snapshot, functionals[i], z);
         const auto           of_edges     = unresolved_contact(snapshot, functionals[i], z);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
-            // The sums that enter the bound (8.13) do not contain the parts of geometry and of the
-            // edge of contact; the refinement indicators do, the latter with the sign of the rest,
-            // so that they never cancel.
+            // The sums that enter the bound (8.13) do not contain the parts of geometry, of the
+            // edge of contact and of thin layers; the refinement indicators do, the latter two with
+            // the sign of the rest, so that they never cancel.
             of_cells[cell] +=
               boundaries.of_supports[i][cell] + of_dirichlet[cell] + of_points[cell];
             sum += of_cells[cell];
@@ -107,13 +110,14 @@ namespace Signorini
               (functionals[i].is_quadratic ? boundaries.of_energy[cell] : 0.);
             of_cells[cell] += of_geometry;
             geometry += of_geometry;
-            of_cells[cell] += std::copysign(of_edges[cell], of_cells[cell]);
-            edges += of_edges[cell];
+            const double size = of_edges[cell] + share_of_layers * result.cells.layers[i][cell];
+            of_cells[cell] += std::copysign(size, of_cells[cell]);
+            sizes += size;
           }
         QuantityEstimate one;
         one.value          = functionals[i].value;
         one.is_regularised = functionals[i].is_regularised;
-        one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(edges, comm) +
+        one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(sizes, comm) +
                          undetermined_contact(snapshot, functionals[i], z);
         one.cauchy_schwarz_bound = result.cells.cauchy_schwarz_bounds[i] +
                                    std::abs(functionals[i].local) +

@@ -257,7 +257,9 @@ namespace Signorini
       out << "  the path: each load step is solved in " << parts << " parts" << std::endl;
     refinement.add_path_errors(position.cycle, clock.wall_time() - begin);
     const std::vector<ErrorHistory> &histories = refinement.control.quantities();
+    // Two histories may agree by chance.
     refinement.path_was_resolved =
+      refinement.path_errors.knows_rate() &&
       std::all_of(histories.begin(), histories.end(), [&](const ErrorHistory &history) {
         return history.size() > 0 &&
                history.last_bounded().error_bound - history.last().parts.path <=
