@@ -100,7 +100,8 @@ def roller(draw):
     keys["Bodies/block/Young's modulus"] *= stress
     down = float(keys[f"Obstacles/{way}/Displacement"].split(";")[1])
     keys[f"Obstacles/{way}/Displacement"] = f"0; {down * length!r}"
-    return scene, keys, in_units(found, length, stress, axisymmetric=is_ball), 1e-3
+    # The closed forms are those of half-spaces, from which the blocks differ by as much.
+    return scene, keys, in_units(found, length, stress, axisymmetric=is_ball), 2e-3
 
 
 def tied_beam(draw):

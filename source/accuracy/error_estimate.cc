@@ -72,10 +72,7 @@ namespace Signorini
         if (functionals[i].lift.size() > 0)
           fields.back().displacement -= functionals[i].lift;
       }
-    // A bilinear cell bends too stiffly by 1/(1 - nu^2) - 1 with the nu of plane strain or stress,
-    // as it is not free to contract across, and by more if it is long.
-    constexpr double share_of_layers = 0.3;
-    ErrorEstimate    result;
+    ErrorEstimate result;
     result.cells  = cell_errors(snapshot.elasticity, snapshot.displacement, fields);
     double energy = 0;
     for (const double e : result.cells.energy)
@@ -110,7 +107,7 @@ namespace Signorini
               (functionals[i].is_quadratic ? boundaries.of_energy[cell] : 0.);
             of_cells[cell] += of_geometry;
             geometry += of_geometry;
-            const double size = of_edges[cell] + share_of_layers * result.cells.layers[i][cell];
+            const double size = of_edges[cell] + result.cells.layers[i][cell];
             of_cells[cell] += std::copysign(size, of_cells[cell]);
             sizes += size;
           }

@@ -35,7 +35,7 @@ namespace Signorini
     /// For each quantity the sum over all cells and ranks of the products of the energy norms of
     /// the errors of solution and dual solution.
     std::vector<double> cauchy_schwarz_bounds;
-    /// [quantity][cell]: in bodies of degree 1 that are one cell thick, the product of the energy
+    /// [quantity][cell]: in bodies that are one cell thick, a share of the product of the energy
     /// norms of what varies within the cell. Such a cell bends too stiffly by a part of it, which
     /// no recovered stress tells, as all its samples across the body are in that cell.
     std::vector<std::vector<double>> layers;

@@ -271,6 +271,7 @@ namespace Signorini
       square += one.value * one.value;
     Functional result      = components.front();
     result.value           = std::sqrt(square);
+    result.unresolved      = 0;
     result.of_displacement = 0;
     if (result.of_volumetric_stress.size() > 0)
       result.of_volumetric_stress = 0;
@@ -283,6 +284,7 @@ namespace Signorini
     for (const Functional &one : components)
       {
         const double share = result.value > 0 ? one.value / result.value : 1;
+        result.unresolved += std::abs(share) * one.unresolved;
         result.of_displacement.add(share, one.of_displacement);
         if (one.of_volumetric_stress.size() > 0)
           result.of_volumetric_stress.add(share, one.of_volumetric_stress);

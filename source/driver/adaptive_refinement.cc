@@ -37,6 +37,15 @@ namespace Signorini
       return Utilities::MPI::min(int(fits), comm) == 1;
     }
 
+    /// @return the memory that all ranks have in use [MB]. Collective.
+    double
+    memory_in_use(const MPI_Comm comm)
+    {
+      Utilities::System::MemoryStats stats;
+      Utilities::System::get_memory_stats(stats);
+      return Utilities::MPI::sum(stats.VmRSS / 1024., comm);
+    }
+
     /// Remove all coarsening flags.
     template <int dim>
     void
@@ -75,6 +84,7 @@ namespace Signorini
     , out(out)
     , timer(timer)
     , clock(clock)
+    , memory_at_start(memory_in_use(comm))
   {}
 
 
@@ -115,6 +125,8 @@ namespace Signorini
       return false;
     if (!is_end)
       accuracy["time"] = problem.state.time;
+    if (!next_mesh.is_null())
+      accuracy["next"] = std::exchange(next_mesh, {});
     recorder.add_cycle(n_steps, problem.multigrid_cycles(), accuracy);
     if (next_quadratic.empty())
       problem.refine_mesh();
@@ -159,13 +171,13 @@ namespace Signorini
                  factor   = of_cells * growth_of_p_refinement(*problem.mesh, next_quadratic),
                  now      = clock.wall_time();
     const double cells    = of_cells * problem.mesh->triangulation().n_global_active_cells();
-    const double seconds  = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
+    const double seconds  = factor * (now - std::exchange(last_mesh_at, now)),
                  limit    = 60 * scene.goals.time_limit;
     if (cells > scene.refinement.maximum_cells)
       reason_targets_missed =
         "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
-    // Histories that depend on their path are solved once more in the end.
-    else if (const double all = (problem.equilibrium->is_path_dependent() ? 2 : 1) * seconds;
+    // With a reserve of 0.3. Histories that depend on their path are solved once more in the end.
+    else if (const double all = (problem.equilibrium->is_path_dependent() ? 2.6 : 1.3) * seconds;
              limit > 0 && Utilities::MPI::max(now + all, comm) > limit)
       reason_targets_missed = "the next mesh would end after Accuracy/Time limit = " +
                               short_text(scene.goals.time_limit, 3) + " minutes";
@@ -176,13 +188,16 @@ namespace Signorini
         clear_marks(*problem.mesh);
         return false;
       }
+    const double dofs   = factor * problem.elasticity->dof_handler().n_dofs(),
+                 memory = memory_at_start + factor * (memory_in_use(comm) - memory_at_start);
+    next_mesh           = {{"dofs", dofs}, {"seconds", seconds}, {"memory_mb", memory}};
     out << "  next: ";
     if (next_quadratic.empty())
       out << "about " << static_cast<unsigned int>(cells) << " cells, errors of the mesh times "
           << short_text(control.expected_reduction());
     else
       out << "degree 2 for " << names_of(next_quadratic, scene.bodies);
-    out << ", " << short_text(seconds, 2) << " s" << std::endl;
+    out << ", " << short_text(seconds, 2) << " s, " << short_text(memory, 2) << " MB" << std::endl;
     return true;
   }
 

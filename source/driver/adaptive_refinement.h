@@ -153,6 +153,10 @@ namespace Signorini
     /// The estimate of the end, if judge_end() has made it on the present mesh.
     std::optional<ErrorEstimate> of_end;
 
+    /// What the next mesh is expected to take, for its results.
+    Json next_mesh;
+    /// Memory of all ranks before there was a mesh [MB].
+    const double memory_at_start;
     /// Wall time at which the last mesh was estimated [s].
     double last_mesh_at = 0;
     /// Bodies whose degree becomes 2 on the next mesh.

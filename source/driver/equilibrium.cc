@@ -206,6 +206,19 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  Equilibrium<dim>::has_path_errors() const
+  {
+    const auto &method = scene.contact.chosen();
+    return is_path_dependent() &&
+           (method.has_friction || method.has_strength || method.has_late_ties ||
+            !elasticity.material_history().empty() || elasticity.locks_rigid_bodies() ||
+            elasticity.is_finite_strain() || uses_current_geometry());
+  }
+
+
+
   // One load step from a given start. On success time, internal variables, gap and active set of
   // the solution are stored; at finite strain the solution is also checked for missed penetration,
   // for stability (indefinite tangent) and for a jump (displacement rate). On failure the last

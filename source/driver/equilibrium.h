@@ -115,6 +115,10 @@ namespace Signorini
     /// True if the solution depends on earlier load steps, by contact or by the materials.
     bool
     is_path_dependent() const;
+    /// True if the solution changes with the length of the load steps: not that of ties that hold
+    /// at small strain, although they remember where their points are.
+    bool
+    has_path_errors() const;
 
     /// The relative change of the contact pressure that the current configuration would make, if it
     /// was estimated.

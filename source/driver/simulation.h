@@ -122,6 +122,17 @@ namespace Signorini
     /// measured
     bool
     is_path_accurate(const PathErrors::Values &values, unsigned int parts) const;
+    /// @return the number of parts in which load steps are to be solved for the targets.
+    /// Collective.
+    /// @param first number of parts of the first history
+    /// @param values of histories, each with twice as many parts; more may be added
+    /// @param adds_histories whether that is worth its time on this mesh
+    /// @param seconds_of_part of the last history
+    unsigned int
+    choose_parts(unsigned int                     first,
+                 std::vector<PathErrors::Values> &values,
+                 bool                             adds_histories,
+                 double                           seconds_of_part);
     /// The number of parts of load steps that the time limit leaves room for.
     /// @param seconds_of_part that a history takes for each of them
     unsigned int

@@ -151,7 +151,7 @@ namespace Signorini
   Simulation<dim>::needs_path_errors(const bool is_last) const
   {
     constexpr double small = 0.1;
-    if (scene.goals.quantities.empty() || !problem.equilibrium->is_path_dependent() ||
+    if (scene.goals.quantities.empty() || !problem.equilibrium->has_path_errors() ||
         refinement.path_measured_on == position.cycle)
       return false;
     if (refinement.path_errors.empty())
@@ -174,12 +174,11 @@ namespace Signorini
   void
   Simulation<dim>::measure_path_errors(const bool is_last)
   {
-    constexpr unsigned int most        = 64;
-    constexpr double       small       = 0.1;
-    const double           begin       = clock.wall_time();
-    const bool             has_targets = scene.goals.has_targets(),
-               is_fine                 = has_targets && refinement.is_resolved(position.cycle);
-    unsigned int &parts                = refinement.path_parts;
+    constexpr double small       = 0.1;
+    const double     begin       = clock.wall_time();
+    const bool       has_targets = scene.goals.has_targets(),
+               is_fine           = has_targets && refinement.is_resolved(position.cycle);
+    unsigned int &parts          = refinement.path_parts;
     if (controls_path())
       parts = 2;
     const unsigned int first = std::max(1u, parts / 2);
@@ -208,15 +207,16 @@ namespace Signorini
         });
       }
     std::vector<PathErrors::Values> values;
-    double                          last_begin = begin;
+    double                          seconds_of_part = 0;
     for (unsigned int k = 0; is_solved && k < n_histories; ++k)
       if ((first << k) == parts)
         values.push_back(known);
       else
         {
-          last_begin = clock.wall_time();
+          const double started = clock.wall_time();
           values.emplace_back();
           is_solved = solve_in_parts(refinement.path_ends, first << k, tolerance, values.back());
+          seconds_of_part = (clock.wall_time() - started) / (first << k);
         }
     problem.equilibrium->return_to(before);
 
@@ -230,29 +230,8 @@ namespace Signorini
     refinement.path_errors.set(is_solved ? first : parts, values);
     refinement.path_measured_on = position.cycle;
     if (has_targets && is_solved && !controls_path() && (is_fine || is_last))
-      {
-        // Twice the parts that were tried at most: the rate is not trusted beyond.
-        unsigned int tried   = first << (n_histories - 1);
-        const auto   in_time = [&] {
-          return std::min(most, parts_in_time((clock.wall_time() - last_begin) / tried));
-        };
-        unsigned int reach = std::min(2 * tried, in_time());
-        while (is_fine && 4 * tried <= in_time() && !is_path_accurate(values.back(), 2 * tried))
-          {
-            tried *= 2;
-            last_begin = clock.wall_time();
-            out << "  the path: the load steps in " << tried << " parts" << std::endl;
-            PathErrors::Values more;
-            if (!solve_in_parts(refinement.path_ends, tried, tolerance, more))
-              break;
-            values.push_back(more);
-            refinement.path_errors.set(first, values);
-            reach = std::min(2 * tried, in_time());
-          }
-        problem.equilibrium->return_to(before);
-        while (2 * parts <= reach && !is_path_accurate(values.back(), parts))
-          parts *= 2;
-      }
+      parts = choose_parts(first, values, is_fine, seconds_of_part);
+    problem.equilibrium->return_to(before);
     if (parts > 1 && !controls_path())
       out << "  the path: each load step is solved in " << parts << " parts" << std::endl;
     refinement.add_path_errors(position.cycle, clock.wall_time() - begin);
@@ -265,6 +244,45 @@ namespace Signorini
                history.last_bounded().error_bound - history.last().parts.path <=
                  small * std::abs(history.last().value);
       });
+  }
+
+
+
+  // On a mesh that is fine enough for the targets, histories with twice as many parts are added
+  // until the next one is expected to be accurate: a rate is not trusted for more than one
+  // doubling.
+  template <int dim>
+  unsigned int
+  Simulation<dim>::choose_parts(const unsigned int               first,
+                                std::vector<PathErrors::Values> &values,
+                                const bool                       adds_histories,
+                                double                           seconds_of_part)
+  {
+    constexpr unsigned int most = 64;
+    // The parts of the last history, and those that are worth their time.
+    unsigned int tried = first << (values.size() - 1), reach = 0;
+    for (;;)
+      {
+        const unsigned int in_time = std::min(most, parts_in_time(seconds_of_part));
+        reach                      = std::min(2 * tried, in_time);
+        if (!adds_histories || 4 * tried > in_time || is_path_accurate(values.back(), 2 * tried))
+          break;
+        tried *= 2;
+        out << "  the path: the load steps in " << tried << " parts" << std::endl;
+        const double       begin = clock.wall_time();
+        PathErrors::Values more;
+        // What has no solution with shorter load steps keeps those that it has.
+        if (!solve_in_parts(refinement.path_ends, tried, scene.newton.tolerance, more))
+          break;
+        seconds_of_part = (clock.wall_time() - begin) / tried;
+        values.push_back(more);
+        refinement.path_errors.set(first, values);
+      }
+    // Never fewer than now: the values of this mesh were found with these.
+    unsigned int parts = refinement.path_parts;
+    while (2 * parts <= reach && !is_path_accurate(values.back(), parts))
+      parts *= 2;
+    return parts;
   }
 
 

@@ -47,6 +47,17 @@ namespace Signorini
 
 
 
+  template <int dim>
+  Tensor<2, dim>
+  PointState<dim>::gradient() const
+  {
+    std::vector<Tensor<2, dim>> result(1);
+    (*values)[FEValuesExtractors::Vector(0)].get_function_gradients(displacement, result);
+    return result[0];
+  }
+
+
+
   // sigma = P F^T/J, as the results have it; at small strain F is the unit tensor.
   template <int dim>
   SymmetricTensor<2, 3>

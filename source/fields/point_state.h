@@ -43,6 +43,10 @@ namespace Signorini
     void
     evaluate(const Cell &cell, const dealii::Point<dim> &unit, const dealii::Point<dim> &x);
 
+    /// @return the displacement gradient there.
+    dealii::Tensor<2, dim>
+    gradient() const;
+
     /// @return the Cauchy stress there.
     dealii::SymmetricTensor<2, 3>
     stress() const;

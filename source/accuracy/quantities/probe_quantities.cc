@@ -8,6 +8,8 @@
 #include "fields/probes.h"
 #include "solid/stress.h"
 
+#include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -86,6 +88,46 @@ namespace Signorini
       return Utilities::MPI::sum(result, elasticity.mesh().communicator());
     }
 
+    /// @return what a displacement may miss between the nodes of its cell, as the singular dual
+    /// solution of a point is not resolved there: the deviation of its gradient from the recovered
+    /// one, integrated from the nearest node to the probe by Simpson's rule. Collective.
+    template <int dim>
+    Tensor<1, dim>
+    missed_between_nodes(const Snapshot<dim> &s, const Probe<dim> &probe)
+    {
+      constexpr std::array<std::pair<double, double>, 3> rule{
+        {{0., 1. / 6}, {0.5, 2. / 3}, {1., 1. / 6}}};
+      const Elasticity<dim> &elasticity = s.elasticity;
+      PointState<dim>        state(elasticity, s.displacement);
+      Tensor<1, dim>         result;
+      if (const auto cell = own_cell(elasticity, probe))
+        {
+          const Mapping<dim> &mapping = elasticity.mesh().mapping();
+          const Point<dim>    unit    = mapping.transform_real_to_unit_cell(*cell, probe.point);
+          Point<dim>          node    = (*cell)->reference_cell().template vertex<dim>(0);
+          for (const Point<dim> &other : (*cell)->get_fe().get_unit_support_points())
+            if (unit.distance(other) < unit.distance(node))
+              node = other;
+          const Point<dim>     start = mapping.transform_unit_to_real_cell(*cell, node);
+          const Tensor<1, dim> way   = probe.point - start;
+          for (const auto &[share, weight] : rule)
+            {
+              if (unit.distance(node) < 1e-8)
+                break;
+              const Point<dim> at = node + share * (unit - node),
+                               x  = mapping.transform_unit_to_real_cell(*cell, at);
+              state.evaluate(*cell, at, x);
+              result -= weight * (state.gradient() * way);
+              for (const RecoverySample<dim> &sample : recovery_samples<dim>(elasticity, *cell, x))
+                {
+                  state.evaluate(sample.cell, sample.unit, sample.place);
+                  result += weight * sample.weight * (state.gradient() * way);
+                }
+            }
+        }
+      return Utilities::MPI::sum(result, elasticity.mesh().communicator());
+    }
+
     /// @return the derivative of the von Mises stress by the stress, 3/2 dev(sigma)/sigma_v; zero
     /// stress has none.
     SymmetricTensor<2, 3>
@@ -102,8 +144,9 @@ namespace Signorini
   Functional
   probe_displacement(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
-    const Probe<dim>       &probe = probe_named(probes, name.of);
-    const Tensor<1, dim>    u     = value_at(s, probe).displacement;
+    const Probe<dim>    &probe  = probe_named(probes, name.of);
+    const Tensor<1, dim> u      = value_at(s, probe).displacement,
+                         missed = missed_between_nodes(s, probe);
     std::vector<Functional> components;
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -112,6 +155,7 @@ namespace Signorini
         const PointDerivative derivative = probe_functional(
           s.elasticity, s.displacement, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {});
         one.of_displacement = derivative.of_displacement;
+        one.unresolved      = std::abs(missed[d]);
         set_error_in_held_cell(u.norm(), derivative, one);
         components.push_back(one);
       }
