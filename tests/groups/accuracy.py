@@ -244,6 +244,54 @@ def path_of_friction(test):
         test.check(then[name]["parts"]["path"] <= 1e-5 * then[name]["value"], f"{name}: there is no path")
 
 
+def halves_that_agree(test):
+    """In this turn of slip one and two parts of a load step have the same tractions, and four have not: two histories tell nothing.
+    With a target load steps are divided until bars contain the tractions of infinitely many."""
+    names = {"friction force x of interface": 0.3208384848, "friction force y of interface": -0.5070134778}
+    scene = [*wanted(", ".join(names), "Accuracy/Target error=0.2"), *method("Nitsche"), "Contact method/Contact geometry=reference",
+             "Expected results/Names="]
+    results = test.results(SCENES / "friction-patch.prm", scene)
+    for name, exact in names.items():
+        found = results["accuracy"]["quantities"][name]
+        test.print(f"{name}: {found['value']:.6g} +- {found['error_bound']:.2g}, path {found['parts']['path']:.2g}")
+        test.check(found["met"] and abs(found["value"] - exact) <= found["error_bound"], f"{exact} is outside, or the target is not met")
+
+
+def full_slip(test):
+    """Where all points slip, also about nodes whose normal displacement is prescribed, errors of pressure and traction cancel in the
+    force of friction: its mesh part is not as large as the force."""
+    results = test.results(SCENES / "friction-cycles.prm", wanted("friction force of foot", "Expected results/Names="))
+    for step in results["load_steps"][1:]:
+        found = step["accuracy"]["quantities"]["friction force of foot"]
+        test.check(abs(found["parts"]["discretisation"]) < 1e-3 * found["value"], f"t = {step['time']}: {found['parts']}")
+
+
+def layers(test):
+    """Bodies that are one cell thick bend too stiffly, and the samples of one cell do not show it; a displacement between nodes
+    misses what no dual solution shows. A cantilever of two tied bodies, by Timoshenko."""
+    k = 3 / 7  # nu/(1 - nu)
+    exact = {"displacement y of tip": -1e-3 * (8**3 / 3 + (1 + k) * 8), "energy": 1e-3 * (8**3 / 3 * 2 / 3 / 2 + (1 + k) / 4 * 8 * 16 / 15)}
+    for subdivisions, target in ((("5,1", "8,3"), 0.05), (("6,3", "4,1"), 0.01), (("4,1", "4,1"), None)):
+        sets = [f"Bodies/{body}/Subdivisions={one}" for body, one in zip(("left", "right"), subdivisions)]
+        sets += [f"Accuracy/Target error={target}"] if target else []
+        results = test.results(VARIED / "tied-beam.prm", wanted(", ".join(exact), *sets))
+        for name, value in exact.items():
+            found = results["accuracy"]["quantities"][name]
+            test.print(f"{subdivisions}: {name} {found['value']:.5g} +- {found['error_bound']:.2g}, exact {value:.5g}")
+            test.check(abs(found["value"] - value) <= found["error_bound"], f"{value} is outside")
+
+
+def between_nodes(test):
+    """A displacement at a point that is no node: the scene's A, B, m0 and E = 1."""
+    x, y, name = 0.4, 0.6, "displacement y of q"
+    for nu in (0.3, 0.5):
+        c = (1 + nu) * (1 - 2 * nu) / nu
+        exact = -0.006 * math.cos(3 * x) * math.sin(2 * y) + c * (-0.003 * math.cos(2 * x) * math.sin(3 * y) - 0.015 * y)
+        probe = ["Output/Probes/Names=q", "Output/Probes/q/Body=square", f"Output/Probes/q/Point={x},{y}"]
+        reached(test, test.results(SCENES / INCOMPRESSIBLE_FOOT[0], wanted(name, f"Definitions/nu={nu}", "Accuracy/Target error=4e-3", *probe)),
+                name, exact)
+
+
 def same_on_ranks(test):
     """Bars do not depend on the number of ranks; cells that are joined do a little, since they may be on different ranks."""
     for cycles, tolerance in ((0, 2e-3), (2, 0.02)):
@@ -291,6 +339,10 @@ def cases():
     yield Case("accuracy", "friction/path", path_of_friction, ranks=2)
     yield Case("accuracy", "friction/target", aimed_at(PARTIAL_SLIP, 2e-2, 12000, 2, "Mesh/Refinement regions/near/Levels=0",
                                                        "Mesh/Refinement regions/contact/Levels=0", *PRESSED_THEN_PULLED), ranks=2)
+    yield Case("accuracy", "friction/halves that agree", halves_that_agree)
+    yield Case("accuracy", "friction/full slip", full_slip)
+    yield Case("accuracy", "layers", layers)
+    yield Case("accuracy", "between nodes", between_nodes)
     yield Case("accuracy", "without limit", without_limit)
     yield Case("accuracy", "held cell", held_cell)
     yield Case("accuracy", "history", there_and_back)
