@@ -169,16 +169,15 @@ namespace Signorini
       forbid_coarsening(*problem.mesh);
     const double of_cells = growth(*problem.mesh),
                  factor   = of_cells * growth_of_p_refinement(*problem.mesh, next_quadratic),
-                 now      = clock.wall_time();
-    const double cells    = of_cells * problem.mesh->triangulation().n_global_active_cells();
-    const double seconds  = factor * (now - std::exchange(last_mesh_at, now)),
-                 limit    = 60 * scene.goals.time_limit;
+                 cells    = of_cells * problem.mesh->triangulation().n_global_active_cells(),
+                 dofs     = factor * problem.elasticity->dof_handler().n_dofs(),
+                 seconds = seconds_of_next(dofs), limit = 60 * scene.goals.time_limit;
     if (cells > scene.refinement.maximum_cells)
       reason_targets_missed =
         "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
     // With a reserve of 0.3. Histories that depend on their path are solved once more in the end.
     else if (const double all = (problem.equilibrium->is_path_dependent() ? 2.6 : 1.3) * seconds;
-             limit > 0 && Utilities::MPI::max(now + all, comm) > limit)
+             limit > 0 && Utilities::MPI::max(last_mesh.at + all, comm) > limit)
       reason_targets_missed = "the next mesh would end after Accuracy/Time limit = " +
                               short_text(scene.goals.time_limit, 3) + " minutes";
     else if (!has_memory_for(factor, comm))
@@ -188,8 +187,7 @@ namespace Signorini
         clear_marks(*problem.mesh);
         return false;
       }
-    const double dofs   = factor * problem.elasticity->dof_handler().n_dofs(),
-                 memory = memory_at_start + factor * (memory_in_use(comm) - memory_at_start);
+    const double memory = memory_at_start + factor * (memory_in_use(comm) - memory_at_start);
     next_mesh           = {{"dofs", dofs}, {"seconds", seconds}, {"memory_mb", memory}};
     out << "  next: ";
     if (next_quadratic.empty())
@@ -199,6 +197,26 @@ namespace Signorini
       out << "degree 2 for " << names_of(next_quadratic, scene.bodies);
     out << ", " << short_text(seconds, 2) << " s, " << short_text(memory, 2) << " MB" << std::endl;
     return true;
+  }
+
+
+
+  // A part of the seconds does not grow with the mesh: the growth is that between the last two
+  // meshes, but at most in proportion to the size, and at least by a third of that.
+  template <int dim>
+  double
+  AdaptiveRefinement<dim>::seconds_of_next(const double dofs)
+  {
+    constexpr double least = 1. / 3;
+    const double     now = clock.wall_time(), size = problem.elasticity->dof_handler().n_dofs(),
+                 seconds = now - last_mesh.at, proportional = seconds / size;
+    double rate = proportional;
+    if (last_mesh.dofs > 0 && size > last_mesh.dofs)
+      rate = std::clamp((seconds - last_mesh.seconds) / (size - last_mesh.dofs),
+                        least * proportional,
+                        proportional);
+    last_mesh = {now, seconds, size};
+    return std::max(seconds + rate * (dofs - size), least * seconds);
   }
 
 

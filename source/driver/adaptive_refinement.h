@@ -157,8 +157,15 @@ namespace Signorini
     Json next_mesh;
     /// Memory of all ranks before there was a mesh [MB].
     const double memory_at_start;
-    /// Wall time at which the last mesh was estimated [s].
-    double last_mesh_at = 0;
+    /// @return the seconds that a mesh is expected to take. To be called once for each mesh.
+    /// @param dofs its number of degrees of freedom
+    double
+    seconds_of_next(double dofs);
+    /// The last mesh: wall time at which it was estimated [s], what it took, its size.
+    struct
+    {
+      double at = 0, seconds = 0, dofs = 0;
+    } last_mesh;
     /// Bodies whose degree becomes 2 on the next mesh.
     std::vector<unsigned int> next_quadratic;
   };

@@ -89,7 +89,7 @@ namespace Signorini
   void
   AdaptiveRefinement<dim>::add_path_errors(const unsigned int cycle, const double seconds)
   {
-    last_mesh_at += seconds;
+    last_mesh.at += seconds;
     for (auto &[time, step] : steps_of_path)
       if (step.judged_on == cycle)
         step.control.set_path(errors_of_path(time));

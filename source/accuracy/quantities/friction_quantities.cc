@@ -25,27 +25,26 @@ namespace Signorini
                0.;
     }
 
-    /// @return the share of the zone of stick that is at its edge, where slip may be missed; one
-    /// for zones of few faces. Collective.
+    /// @return the share of the zone of stick in which slip may be missed: half of that at its
+    /// edge, or one for zones of few faces. Collective.
     template <int dim>
     double
     share_at_edge(const Snapshot<dim> &s, const unsigned int pair)
     {
       const ContactPatch stick = stick_zone(s, pair);
-      return stick.edge < stick.area ? stick.edge / stick.area : 1.;
+      return stick.edge < stick.area ? 0.5 * stick.edge / stick.area : 1.;
     }
 
     /// @return the size of the slip between the closed point where it is largest and the place
-    /// where it would be larger still: towards the edge of contact, where slips mostly are largest,
-    /// slip grows across one more face by as much as across the faces about that point, and towards
-    /// other edges, of a body or a master, a twentieth of that is missed as the slip there is
-    /// singular. Collective.
+    /// where it would be larger still. Towards the edge of contact, where slips mostly are largest,
+    /// slip grows within a face by about half of its change across the faces about that point;
+    /// towards other edges, of a body or a master, by less, but it is singular there. Collective.
     /// @param slip since the first touch, at the rows
     template <int dim>
     double
     slip_beyond(const Snapshot<dim> &s, const unsigned int pair, const PointVectors &slip)
     {
-      constexpr double        nearly    = 0.999;
+      constexpr double        at_edge = 0.5, nearly = 0.999;
       const double            at_points = samples_nodes(s.contact) ? 0.15 : 0.3;
       std::vector<LA::Vector> nodal;
       for (const LA::Vector &component : in_space(s, slip))
@@ -88,7 +87,7 @@ namespace Signorini
       double result       = 0;
       for (const auto i : change.locally_owned_elements())
         if (count(i) > 0 && at(i).norm() >= nearly * most)
-          result = std::max(result, (open(i) > 0 ? 1 : at_points) * change(i) / count(i));
+          result = std::max(result, (open(i) > 0 ? at_edge : at_points) * change(i) / count(i));
       return Utilities::MPI::max(result, comm);
     }
 
