@@ -45,7 +45,7 @@ namespace Signorini
     slip_beyond(const Snapshot<dim> &s, const unsigned int pair, const PointVectors &slip)
     {
       constexpr double        at_edge = 0.5, nearly = 0.999;
-      const double            at_points = samples_nodes(s.contact) ? 0.15 : 0.3;
+      const double            at_points = samples_nodes(s.contact) ? 0.15 : 0.4;
       std::vector<LA::Vector> nodal;
       for (const LA::Vector &component : in_space(s, slip))
         nodal.push_back(s.elasticity.with_ghosts(nodal_field(s, component, pair)));
