@@ -55,6 +55,7 @@ def plot_cost(curves, chosen, quantity, file):
     axis.spines[["top", "right"]].set_visible(False)
     axis.set(xlabel="seconds", ylabel=f"error bar of {quantity}, relative")
     axis.set_title(message_of_cost(lines, quantity), fontsize=11, loc="left")
+    axis.set_xlim(left=axis.get_xlim()[0] / 2)  # room for the names of the stars
     write_names(axis, labels)
     if others:
         figure.supxlabel(
