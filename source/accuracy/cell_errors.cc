@@ -255,11 +255,9 @@ namespace Signorini
     double
     share_of_layer(const Elasticity<dim> &elasticity, const CellOf<dim> &cell)
     {
-      if (!cell->reference_cell().is_simplex())
-        for (unsigned int d = 0; d < dim; ++d)
-          if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
-            return elasticity.degree(elasticity.mesh().body(cell)) > 1 ? 0.02 : 0.3;
-      return 0;
+      if (!is_one_cell_thick<dim>(cell))
+        return 0;
+      return elasticity.degree(elasticity.mesh().body(cell)) > 1 ? 0.02 : 0.3;
     }
 
     /// The energy of the solution and those of dual fields, as far as they vary within a cell.

@@ -87,19 +87,28 @@ namespace Signorini
 
   namespace
   {
+    /// @return the derivative by one component of the traction per area, at the rows; zero for
+    /// quantities with a lift, which contains it.
+    template <int dim>
+    LA::Vector
+    by_component(const Snapshot<dim> &s, const Functional &functional, const unsigned int component)
+    {
+      LA::Vector density = functional.of_traction[component];
+      if (functional.lift.size() > 0)
+        density = 0;
+      for (const auto i : density.locally_owned_elements())
+        density(i) = s.contact.weight(i) > 0 ? density(i) / s.contact.weight(i) : 0.;
+      density.compress(VectorOperation::insert);
+      return density;
+    }
+
     /// @return dJ/dp per area as a nodal field of a pair, with ghost values; zero for quantities
     /// with a lift, since their derivative by pressure belongs to the lift.
     template <int dim>
     LA::Vector
     by_pressure(const Snapshot<dim> &s, const Functional &functional, const unsigned int pair)
     {
-      LA::Vector density = functional.of_traction[0];
-      if (functional.lift.size() > 0)
-        density = 0;
-      for (const auto i : density.locally_owned_elements())
-        density(i) = s.contact.weight(i) > 0 ? density(i) / s.contact.weight(i) : 0.;
-      density.compress(VectorOperation::insert);
-      return s.elasticity.with_ghosts(nodal_field(s, density, pair));
+      return s.elasticity.with_ghosts(nodal_field(s, by_component(s, functional, 0), pair));
     }
 
     /// @return a field that is positive at nodes without pressure function and at the nodes that
@@ -132,15 +141,9 @@ namespace Signorini
       std::vector<LA::Vector> result;
       if (s.contact.n_components() == 1)
         return result;
-      PointVectors density(functional.of_traction.begin() + 1, functional.of_traction.end());
-      for (LA::Vector &component : density)
-        {
-          if (functional.lift.size() > 0)
-            component = 0;
-          for (const auto i : component.locally_owned_elements())
-            component(i) = s.contact.weight(i) > 0 ? component(i) / s.contact.weight(i) : 0.;
-          component.compress(VectorOperation::insert);
-        }
+      PointVectors density;
+      for (unsigned int a = 1; a < functional.of_traction.size(); ++a)
+        density.push_back(by_component(s, functional, a));
       for (const LA::Vector &component : in_space(s, density))
         result.push_back(s.elasticity.with_ghosts(nodal_field(s, component, pair)));
       return result;

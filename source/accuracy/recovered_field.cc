@@ -67,12 +67,7 @@ namespace Signorini
                          const typename DoFHandler<dim>::active_cell_iterator &cell)
     {
       const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
-      if (cell->reference_cell().is_simplex())
-        return degree;
-      for (unsigned int d = 0; d < dim; ++d)
-        if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
-          return std::max(2u, degree);
-      return degree;
+      return is_one_cell_thick<dim>(cell) ? std::max(2u, degree) : degree;
     }
 
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -87,6 +82,19 @@ namespace Signorini
         N(i, i) += rounding * N(0, 0);
     }
   } // namespace
+
+
+
+  template <int dim>
+  bool
+  is_one_cell_thick(const typename DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    if (!cell->reference_cell().is_simplex())
+      for (unsigned int d = 0; d < dim; ++d)
+        if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
+          return true;
+    return false;
+  }
 
 
 
@@ -295,6 +303,10 @@ namespace Signorini
 
 
 
+  template bool
+  is_one_cell_thick<2>(const DoFHandler<2>::active_cell_iterator &);
+  template bool
+  is_one_cell_thick<3>(const DoFHandler<3>::active_cell_iterator &);
   template std::vector<RecoverySample<2>>
   recovery_samples(const Elasticity<2> &,
                    const DoFHandler<2>::active_cell_iterator &,

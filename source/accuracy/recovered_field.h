@@ -10,6 +10,11 @@
 
 namespace Signorini
 {
+  /// @return whether a cell of a quadrilateral or hexahedral mesh is a body's only one across.
+  template <int dim>
+  bool
+  is_one_cell_thick(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
+
   /// A sample of a field, and its share of the recovered value at a point.
   template <int dim>
   struct RecoverySample

@@ -19,31 +19,29 @@ namespace Signorini
 
   namespace
   {
+    /// @return the memory that ranks have in use [MB]. Collective.
+    double
+    memory_in_use(const MPI_Comm ranks)
+    {
+      Utilities::System::MemoryStats stats;
+      Utilities::System::get_memory_stats(stats);
+      return Utilities::MPI::sum(stats.VmRSS / 1024., ranks);
+    }
+
     /// True on all ranks if a mesh that is larger by a factor fits into memory: the additional
     /// memory of the ranks on each machine, in proportion to the present use, is at most nine
     /// tenths of what is available there. Collective.
     bool
     has_memory_for(const double growth, const MPI_Comm comm)
     {
-      constexpr double               usable = 0.9;
-      Utilities::System::MemoryStats stats;
-      Utilities::System::get_memory_stats(stats);
-      MPI_Comm node;
+      constexpr double usable = 0.9;
+      MPI_Comm         node;
       MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
-      const double used = Utilities::MPI::sum(static_cast<double>(stats.VmRSS), node);
+      const double used = 1024 * memory_in_use(node); // kB
       MPI_Comm_free(&node);
       const double more = (growth - 1) * used; // kB
       const bool   fits = more <= usable * available_memory();
       return Utilities::MPI::min(int(fits), comm) == 1;
-    }
-
-    /// @return the memory that all ranks have in use [MB]. Collective.
-    double
-    memory_in_use(const MPI_Comm comm)
-    {
-      Utilities::System::MemoryStats stats;
-      Utilities::System::get_memory_stats(stats);
-      return Utilities::MPI::sum(stats.VmRSS / 1024., comm);
     }
 
     /// Remove all coarsening flags.
@@ -99,7 +97,7 @@ namespace Signorini
                                    Recorder<dim>     &recorder)
   {
     const bool          is_end   = &control == &this->control;
-    const ErrorEstimate estimate = is_end && of_end ? *of_end : judge(control, cycle);
+    const ErrorEstimate estimate = is_end && of_end ? std::move(*of_end) : judge(control, cycle);
     of_end.reset();
     Json accuracy = accuracy_results(scene.goals, control, estimate);
     if (!is_end)

@@ -218,7 +218,6 @@ namespace Signorini
           is_solved = solve_in_parts(refinement.path_ends, first << k, tolerance, values.back());
           seconds_of_part = (clock.wall_time() - started) / (first << k);
         }
-    problem.equilibrium->return_to(before);
 
     // A path that could not be followed with shorter steps is not known at all.
     if (!is_solved)

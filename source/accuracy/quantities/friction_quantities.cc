@@ -39,16 +39,15 @@ namespace Signorini
     /// where it would be larger still. Towards the edge of contact, where slips mostly are largest,
     /// slip grows within a face by about half of its change across the faces about that point;
     /// towards other edges, of a body or a master, by less, but it is singular there. Collective.
-    /// @param slip since the first touch, at the rows
     template <int dim>
     double
-    slip_beyond(const Snapshot<dim> &s, const unsigned int pair, const PointVectors &slip)
+    slip_beyond(const Snapshot<dim> &s, const unsigned int pair)
     {
       constexpr double        at_edge = 0.5, nearly = 0.999;
       const double            at_points = samples_nodes(s.contact) ? 0.15 : 0.4;
       std::vector<LA::Vector> nodal;
-      for (const LA::Vector &component : in_space(s, slip))
-        nodal.push_back(s.elasticity.with_ghosts(nodal_field(s, component, pair)));
+      for (const LA::Vector &component : slip_since_contact(s, pair))
+        nodal.push_back(s.elasticity.with_ghosts(component));
       const LA::Vector closed = s.elasticity.with_ghosts(nodal_field(s, s.active, pair));
       const auto       at     = [&](const types::global_dof_index node) {
         Tensor<1, dim> result;
@@ -225,7 +224,7 @@ namespace Signorini
     result.unresolved   = share_at_edge(s, pair) * Utilities::MPI::max(missed, comm);
     if (result.value == 0)
       return result;
-    result.unresolved += slip_beyond(s, pair, slip);
+    result.unresolved += slip_beyond(s, pair);
     // Of equal slips the first one counts, whatever rank owns it.
     row = Utilities::MPI::min(most == result.value ? row : numbers::invalid_dof_index, comm);
     for (unsigned int a = 0; a < slip.size(); ++a)
