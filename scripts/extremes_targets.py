@@ -155,9 +155,6 @@ def run(runs, axis, number, make):
 
 
 def random_targets(runs):
-    # Bars hold for nineteen of twenty quantities, and what they take depends on the clock: not in a part of the map, which is a test.
-    if runs.every > 1 and not runs.only:
-        return
     for name, make, number in (("rings", shrunk_rings, 70), ("soft tubes", soft_tubes, 50), ("roller", roller, 40),
                                ("tied beam", tied_beam, 40), ("polynomial", polynomial, 30)):
         axis = f"target: {name}"
