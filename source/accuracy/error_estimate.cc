@@ -122,7 +122,7 @@ namespace Signorini
         one.parts.discretisation = Utilities::MPI::sum(sum, comm) + functionals[i].local +
                                    (functionals[i].is_quadratic ? -energy / 2 : 0.);
         // What is recovered at a point is less certain than a sum over cells.
-        one.absolute = Utilities::MPI::sum(absolute, comm) + 2 * std::abs(functionals[i].local) +
+        one.absolute = Utilities::MPI::sum(absolute, comm) + 3 * std::abs(functionals[i].local) +
                        (functionals[i].is_quadratic ? energy / 2 : 0.);
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
         // Consistent methods close gaps with the mesh, so that the part of their gaps is none of

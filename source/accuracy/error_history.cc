@@ -56,11 +56,11 @@ namespace Signorini
       // but the sum over them is less reliable than the changes from mesh to mesh.
       error_bound = std::max(0.6 * correction + 0.1 * now.absolute + stiffness, 1.2 * by_changes());
     else
-      error_bound = std::max(1.3 * correction + 0.2 * now.absolute + stiffness, 0.5 * by_changes());
+      error_bound = std::max(1.3 * correction + 0.3 * now.absolute + stiffness, 0.5 * by_changes());
     // Errors of cells may cancel. On the first mesh, where no change of the value is known, the
     // Cauchy-Schwarz bound is taken into account.
     if (size() == 1)
-      error_bound = std::max(error_bound, now.cauchy_schwarz_bound / 6);
+      error_bound = std::max(error_bound, now.cauchy_schwarz_bound / 4);
     return {now.value,
             error_bound + now.unresolved + now.parts.of_model_and_path() +
               rounding * std::abs(now.value)};

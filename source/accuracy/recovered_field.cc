@@ -6,6 +6,7 @@
 #include <signorini/solid/model.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace Signorini
 {
@@ -13,16 +14,19 @@ namespace Signorini
 
   namespace
   {
-    /// The monomials of total degree up to 1 or 2 in dim coordinates.
+    /// The monomials of total degree up to 1, 2 or 3 in dim coordinates.
     template <int dim>
     class Monomials
     {
     public:
-      static constexpr unsigned int most = dim == 2 ? 6 : 10;
-      using Values                       = std::array<double, most>;
+      static constexpr unsigned int linear = dim + 1, quadratic = linear * (dim + 2) / 2,
+                                    cubic = quadratic * (dim + 3) / 3;
+      using Values                        = std::array<double, cubic>;
 
       explicit Monomials(const unsigned int degree)
-        : n(degree == 1 ? dim + 1 : most)
+        : n(degree == 1 ? linear :
+            degree == 2 ? quadratic :
+                          cubic)
       {}
 
       /// @return the n monomials at a point; the remaining entries are undefined.
@@ -33,11 +37,16 @@ namespace Signorini
         value[0] = 1;
         for (unsigned int d = 0; d < dim; ++d)
           value[1 + d] = x[d];
-        unsigned int next = dim + 1;
-        if (n == most)
+        unsigned int next = linear;
+        if (n >= quadratic)
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int e = 0; e <= d; ++e)
               value[next++] = x[d] * x[e];
+        if (n == cubic)
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e <= d; ++e)
+              for (unsigned int f = 0; f <= e; ++f)
+                value[next++] = x[d] * x[e] * x[f];
         return value;
       }
 
@@ -58,8 +67,25 @@ namespace Signorini
       return rules;
     }
 
+    /// @return whether a cell of a quadrilateral or hexahedral mesh has no neighbour of its body
+    /// and material on either side, in some direction.
+    template <int dim>
+    bool
+    is_alone_across(const typename DoFHandler<dim>::active_cell_iterator &cell)
+    {
+      const auto is_end = [&](const unsigned int face) {
+        return cell->face(face)->at_boundary() ||
+               cell->neighbor(face)->material_id() != cell->material_id();
+      };
+      if (!cell->reference_cell().is_simplex())
+        for (unsigned int d = 0; d < dim; ++d)
+          if (is_end(2 * d) && is_end(2 * d + 1))
+            return true;
+      return false;
+    }
+
     /// @return the number of sample points in each direction: the superconvergent points are those
-    /// of the Gauss rule with `degree` points; at least two across a body that is one cell thick,
+    /// of the Gauss rule with `degree` points; at least two across a layer that is one cell thick,
     /// since one point would miss bending.
     template <int dim>
     unsigned int
@@ -67,7 +93,23 @@ namespace Signorini
                          const typename DoFHandler<dim>::active_cell_iterator &cell)
     {
       const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
-      return is_one_cell_thick<dim>(cell) ? std::max(2u, degree) : degree;
+      return is_alone_across<dim>(cell) ? std::max(2u, degree) : degree;
+    }
+
+    /// @return the degree of the polynomials that are fitted in a cell. A patch is three cells
+    /// wide, so that quadratic ones would often differ more from the exact field than its samples
+    /// do: where displacements have degree two they are cubic, if the patch has two cells in each
+    /// direction.
+    /// @param n_samples of the patch
+    template <int dim>
+    unsigned int
+    degree_of_fit(const Elasticity<dim>                                &elasticity,
+                  const typename DoFHandler<dim>::active_cell_iterator &cell,
+                  const unsigned int                                    n_samples)
+    {
+      constexpr unsigned int enough = dim == 2 ? 16 : 64;
+      const unsigned int     degree = elasticity.degree(elasticity.mesh().body(cell));
+      return degree == 2 && n_samples >= enough && !is_alone_across<dim>(cell) ? 3 : degree;
     }
 
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -125,6 +167,8 @@ namespace Signorini
                .get_points())
           samples.push_back({other, unit, mapping.transform_unit_to_real_cell(other, unit), 0.});
       }
+    // Not cubic: most probes are at boundaries, and beyond the last samples cubic polynomials magnify
+    // their errors.
     const Monomials<dim> monomials(elasticity.degree(elasticity.mesh().body(cell)));
     const auto           at = [&](const Point<dim> &place) {
       const auto phi = monomials((place - cell->center()) / cell->diameter());
@@ -253,15 +297,18 @@ namespace Signorini
   const typename RecoveredField<dim>::Deviations &
   RecoveredField<dim>::operator()(const Cell &cell)
   {
-    const unsigned int   degree = elasticity.degree(elasticity.mesh().body(cell));
-    const Monomials<dim> monomials(degree);
+    collect_patch(cell);
+    const unsigned int n_samples = std::accumulate(
+      patch.begin(), patch.end(), 0u, [&](const unsigned int sum, const unsigned int c) {
+        return sum + first_sample[c + 1] - first_sample[c];
+      });
+    const Monomials<dim> monomials(degree_of_fit<dim>(elasticity, cell, n_samples));
     const unsigned int   n      = monomials.n;
     const Point<dim>     center = cell->center();
     const double         scale  = 1 / cell->diameter();
 
     // The lower triangle of the normal matrix and the right-hand sides.
     Matrix N = Matrix::Zero(n, n), right = Matrix::Zero(n, n_values);
-    collect_patch(cell);
     for (const unsigned int c : patch)
       for (unsigned int s = first_sample[c]; s < first_sample[c + 1]; ++s)
         {
@@ -279,7 +326,7 @@ namespace Signorini
     const Matrix coefficients = solve_symmetric(N, right);
 
     // Deviations at the points of the rule that integrates the energy.
-    values.reinit(cell, rule(cell, degree + 1));
+    values.reinit(cell, rule(cell, elasticity.degree(elasticity.mesh().body(cell)) + 1));
     const FEValues<dim> &at     = values.get_present_fe_values();
     const auto          &points = at.get_quadrature_points();
     result.weights.resize(points.size());
