@@ -98,8 +98,8 @@ namespace Signorini
 
     /// @return the degree of the polynomials that are fitted in a cell. A patch is three cells
     /// wide, so that quadratic ones would often differ more from the exact field than its samples
-    /// do: where displacements have degree two they are cubic, if the patch has two cells in each
-    /// direction.
+    /// do: where displacements have degree two they are cubic, but not in patches of two cells in
+    /// each direction, which are too few to tell what they miss.
     /// @param n_samples of the patch
     template <int dim>
     unsigned int
@@ -107,7 +107,7 @@ namespace Signorini
                   const typename DoFHandler<dim>::active_cell_iterator &cell,
                   const unsigned int                                    n_samples)
     {
-      constexpr unsigned int enough = dim == 2 ? 16 : 64;
+      constexpr unsigned int enough = dim == 2 ? 24 : 96;
       const unsigned int     degree = elasticity.degree(elasticity.mesh().body(cell));
       return degree == 2 && n_samples >= enough && !is_alone_across<dim>(cell) ? 3 : degree;
     }
