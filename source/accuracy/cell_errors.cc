@@ -65,7 +65,8 @@ namespace Signorini
       unsigned int
       n_values() const
       {
-        return n_components * values.fields.size();
+        // The last value is the error of the temperature.
+        return n_components * values.fields.size() + 1;
       }
 
       // Displacements are needed for the hoop strain of axisymmetric models only. Only the solution
@@ -90,9 +91,12 @@ namespace Signorini
                   result[q * n_values() + f * n_components + c] = sigma.access_raw_entry(c);
               }
           }
+        for (const unsigned int q : at.quadrature_point_indices())
+          result[(q + 1) * n_values() - 1] = elasticity.thermal().projection_error(at, q);
       }
 
       // Energy products of stresses: (s, t) = s : C^-1 t, with the compliance C^-1 of the material.
+      // The temperature that elements cannot follow works with the whole dual stress, (8.24).
       void
       at_point(const CellOf<dim>  &cell,
                const double *const computed,
@@ -115,6 +119,13 @@ namespace Signorini
             const auto of_dual              = tensor(deviation, z);
             result.products[z - 1]          = of_dual * strain;
             result.energies_of_duals[z - 1] = of_dual * compliance(material, of_dual);
+            if (const double rise = computed[n_values() - 1]; rise != 0)
+              {
+                const Tensor<1, 3> alpha = elasticity.thermal().alpha(cell->material_id());
+                const auto         whole = tensor(computed, z) + of_dual;
+                for (unsigned int d = 0; d < 3; ++d)
+                  result.products[z - 1] += rise * alpha[d] * whole[d][d];
+              }
           }
       }
 
@@ -140,8 +151,8 @@ namespace Signorini
       n_values() const
       {
         // Of each field, in this order: stress, gradient, volumetric stress and residual of the
-        // volume. The last value is the energy of the solution.
-        return per_field * values.fields.size() + 1;
+        // volume. The last values are the error of the temperature and the energy of the solution.
+        return per_field * values.fields.size() + 2;
       }
 
       // The states of stress at the points are those of the solution, about which the dual fields
@@ -165,6 +176,7 @@ namespace Signorini
                     states.push_back(
                       stress_state(elasticity, *cell, values.gradient[q], values.u[q], x));
                     write(states[q].stress, to);
+                    result[(q + 1) * n_values() - 2] = elasticity.thermal().projection_error(at, q);
                     result[(q + 1) * n_values() - 1] = states[q].energy;
                     if (is_mixed)
                       write(elasticity.volumetric_stress().value(*cell, x),
@@ -185,7 +197,7 @@ namespace Signorini
       // For the solution itself and for a dual field the second variation of the energy between
       // errors.
       void
-      at_point(const CellOf<dim> &,
+      at_point(const CellOf<dim>  &cell,
                const double *const computed,
                const double *const deviation,
                PointErrors        &result)
@@ -197,6 +209,12 @@ namespace Signorini
             result.products[z - 1] =
               (product(computed, deviation, 0, z) + product(computed, deviation, z, 0)) / 2;
             result.energies_of_duals[z - 1] = std::max(0., product(computed, deviation, z, z));
+            if (const double rise = computed[n_values() - 2]; rise != 0)
+              result.products[z - 1] +=
+                rise * of_unit_rise(elasticity.thermal().alpha(cell->material_id()),
+                                    computed,
+                                    deviation,
+                                    z);
           }
       }
 
@@ -241,45 +259,67 @@ namespace Signorini
         return sum;
       }
 
+      /// @return the work of the dual stress with the thermal strain of a temperature of one, F
+      /// diag(alpha), (8.24).
+      double
+      of_unit_rise(const Tensor<1, 3> &alpha,
+                   const double *const computed,
+                   const double *const deviation,
+                   const unsigned int  dual) const
+      {
+        double sum = 0;
+        for (unsigned int c = 0; c < n_components; ++c)
+          {
+            const bool         is_across = dim == 2 && c == n_components - 1;
+            const unsigned int i = is_across ? 2 : c / dim, j = is_across ? 2 : c % dim;
+            const double       F      = computed[n_components + c] + (i == j ? 1 : 0);
+            const unsigned int stress = dual * per_field + c;
+            sum += (computed[stress] + deviation[stress]) * F * alpha[j];
+          }
+        return sum;
+      }
+
       const Elasticity<dim> &elasticity;
       FieldValues<dim>       values;
       const bool             is_mixed;
       const unsigned int     per_field;
     };
 
-    /// @return the share of the energy of what varies within a cell that may be missed, where the
-    /// stress across the cell is not recovered from other cells, as it is one layer: 0.3 for degree
-    /// 1, since a bilinear cell does not contract across as it should, and is too stiff by nu^2/(1
-    /// - nu^2) at least; 0.02 for degree 2, to which parabolas of shear are unknown. Else zero.
-    template <int dim>
-    double
-    share_of_layer(const Elasticity<dim> &elasticity, const CellOf<dim> &cell)
-    {
-      if (!is_one_cell_thick<dim>(cell))
-        return 0;
-      return elasticity.degree(elasticity.mesh().body(cell)) > 1 ? 0.02 : 0.3;
-    }
+    /// The share of the energy of a cell of degree 1 that may be missed, where the stress across
+    /// the cell is not recovered from other cells, as it is one layer: a bilinear cell does not
+    /// contract across as it should, and is too stiff by nu^2/(1 - nu^2) at least; a layer between
+    /// stiff bodies does not bulge at its edges at all.
+    constexpr double share_of_layer = 0.3;
+    /// The same for degree 2, of what varies within the cell: parabolas of shear are unknown to it.
+    constexpr double share_of_quadratic_layer = 0.02;
 
-    /// The energy of the solution and those of dual fields, as far as they vary within a cell.
+    /// The energy of the solution and those of dual fields in a cell.
+    /// @param is_whole with that of the mean stress; otherwise of what varies within the cell
     template <typename Errors, typename Cell, typename Recovered>
     PointErrors
-    variation(Errors &errors, const Cell &cell, const Recovered &at, const unsigned int n_duals)
+    energies_in_layer(Errors            &errors,
+                      const Cell        &cell,
+                      const Recovered   &at,
+                      const unsigned int n_duals,
+                      const bool         is_whole)
     {
       const unsigned int  n = errors.n_values();
       std::vector<double> mean(n, 0.), deviation(n);
       double              volume = 0;
-      for (unsigned int q = 0; q < at.weights.size(); ++q)
+      for (unsigned int q = 0; q < at.weights.size() && !is_whole; ++q)
         {
           volume += at.weights[q];
           for (unsigned int c = 0; c < n; ++c)
             mean[c] += at.weights[q] * at.computed[q * n + c];
         }
+      for (unsigned int c = 0; c < n && volume > 0; ++c)
+        mean[c] /= volume;
       PointErrors sum{0, 0, std::vector<double>(n_duals), std::vector<double>(n_duals)},
         there = sum;
       for (unsigned int q = 0; q < at.weights.size(); ++q)
         {
           for (unsigned int c = 0; c < n; ++c)
-            deviation[c] = at.computed[q * n + c] - mean[c] / volume;
+            deviation[c] = at.computed[q * n + c] - mean[c];
           errors.at_point(cell, &at.computed[q * n], deviation.data(), there);
           sum.energy += at.weights[q] * there.energy;
           for (unsigned int z = 0; z < n_duals; ++z)
@@ -332,12 +372,13 @@ namespace Signorini
               }
             for (unsigned int z = 0; z < n_duals; ++z)
               result.cauchy_schwarz_bounds[z] += std::sqrt(result.energy[i] * energies_of_cell[z]);
-            if (const double share = n_duals > 0 ? share_of_layer(elasticity, cell) : 0.; share > 0)
+            if (n_duals > 0 && is_one_cell_thick<dim>(cell))
               {
-                const PointErrors within = variation(errors, cell, at, n_duals);
+                const bool        is_linear = elasticity.degree(elasticity.mesh().body(cell)) == 1;
+                const PointErrors within = energies_in_layer(errors, cell, at, n_duals, is_linear);
                 for (unsigned int z = 0; z < n_duals; ++z)
-                  result.layers[z][i] =
-                    share * std::sqrt(within.energy * within.energies_of_duals[z]);
+                  result.layers[z][i] = (is_linear ? share_of_layer : share_of_quadratic_layer) *
+                                        std::sqrt(within.energy * within.energies_of_duals[z]);
               }
           }
       Utilities::MPI::sum(result.cauchy_schwarz_bounds,

@@ -63,20 +63,30 @@ namespace Signorini
       return 0;
     const double              closed = 1e-12 * s.elasticity.mesh().size();
     const std::vector<double> mean   = mean_pressures(s);
-    LA::Vector                felt   = s.contact.zero();
-    s.contact.B.vmult(felt, z);
+    PointVectors              felt(s.contact.n_components(), s.contact.zero());
+    for (unsigned int a = 0; a < felt.size(); ++a)
+      s.contact.rows(a).vmult(felt[a], z);
     double sum  = 0;
     int    row  = 0;
     auto   pair = s.contact.origin.pair.begin();
-    for (const auto i : felt.locally_owned_elements())
+    // What a unit of a component of the traction at a point changes. A reaction is written with a
+    // lift: its derivative by tractions is contained in that.
+    const auto change = [&](const auto i, const unsigned int a) {
+      const double direct = functional.lift.size() > 0 ? 0. : functional.of_traction[a](i);
+      return std::abs(s.contact.weight(i) * felt[a](i) + direct);
+    };
+    for (const auto i : s.gap.locally_owned_elements())
       {
+        const double pressure = std::max(mean[*pair], s.pressure(i));
         if (s.gap(i) <= closed && !can_move(s.contact.B_free, row))
-          {
-            // A reaction is written with a lift: its derivative by pressures is contained in that.
-            const double direct = functional.lift.size() > 0 ? 0. : functional.of_traction[0](i);
-            sum += std::abs(s.contact.weight(i) * felt(i) + direct) *
-                   std::max(mean[*pair], s.pressure(i));
-          }
+          sum += change(i, 0) * pressure;
+        // Points that are held along the surface alone, as on a plane of symmetry, stick, and may
+        // have any tangential traction up to the bound.
+        if (s.pressure(i) > 0)
+          for (unsigned int a = 1; a < felt.size(); ++a)
+            if (!can_move(s.contact.free_rows(a), row))
+              sum += change(i, a) * (s.contact.coefficients.friction_bound(i, pressure).value +
+                                     std::abs(s.contact_state.traction[a](i)));
         ++row;
         ++pair;
       }

@@ -85,6 +85,7 @@ namespace Signorini
     const BoundaryErrors boundaries =
       duals.empty() ? BoundaryErrors() :
                       boundary_errors(snapshot.elasticity, snapshot.displacement, fields);
+    const std::vector<std::vector<double>> of_loads = load_errors(snapshot.elasticity, fields);
     for (unsigned int i = 0; i < duals.size(); ++i)
       {
         const LA::Vector    &z   = fields[i].displacement;
@@ -98,8 +99,8 @@ namespace Signorini
             // The sums that enter the bound (8.13) do not contain the parts of geometry, of the
             // edge of contact and of thin layers; the refinement indicators do, the latter two with
             // the sign of the rest, so that they never cancel.
-            of_cells[cell] +=
-              boundaries.of_supports[i][cell] + of_dirichlet[cell] + of_points[cell];
+            of_cells[cell] += boundaries.of_supports[i][cell] + of_loads[i][cell] +
+                              of_dirichlet[cell] + of_points[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);
             const double of_geometry =

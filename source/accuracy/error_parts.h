@@ -83,6 +83,13 @@ namespace Signorini
                   const LA::Vector             &displacement,
                   const std::vector<DualField> &duals);
 
+  /// @return for each dual field and active cell the error, exact minus computed, because loads
+  /// that are formulas of the place are integrated at points: the work of what a rule with more
+  /// points adds, (8.23). Collective.
+  template <int dim>
+  std::vector<std::vector<double>>
+  load_errors(const Elasticity<dim> &elasticity, const std::vector<DualField> &duals);
+
   /// @return the size of the error by contact points that cannot move, such as a corner of the
   /// slave at a support: the support takes their pressure, and its share of the reaction is not
   /// determined. The mean pressure of the pair is assumed there: the sum over these points of area

@@ -67,23 +67,6 @@ namespace Signorini
       return rules;
     }
 
-    /// @return whether a cell of a quadrilateral or hexahedral mesh has no neighbour of its body
-    /// and material on either side, in some direction.
-    template <int dim>
-    bool
-    is_alone_across(const typename DoFHandler<dim>::active_cell_iterator &cell)
-    {
-      const auto is_end = [&](const unsigned int face) {
-        return cell->face(face)->at_boundary() ||
-               cell->neighbor(face)->material_id() != cell->material_id();
-      };
-      if (!cell->reference_cell().is_simplex())
-        for (unsigned int d = 0; d < dim; ++d)
-          if (is_end(2 * d) && is_end(2 * d + 1))
-            return true;
-      return false;
-    }
-
     /// @return the number of sample points in each direction: the superconvergent points are those
     /// of the Gauss rule with `degree` points; at least two across a layer that is one cell thick,
     /// since one point would miss bending.
@@ -93,7 +76,7 @@ namespace Signorini
                          const typename DoFHandler<dim>::active_cell_iterator &cell)
     {
       const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
-      return is_alone_across<dim>(cell) ? std::max(2u, degree) : degree;
+      return is_one_cell_thick<dim>(cell) ? std::max(2u, degree) : degree;
     }
 
     /// @return the degree of the polynomials that are fitted in a cell. A patch is three cells
@@ -109,7 +92,7 @@ namespace Signorini
     {
       constexpr unsigned int enough = dim == 2 ? 24 : 96;
       const unsigned int     degree = elasticity.degree(elasticity.mesh().body(cell));
-      return degree == 2 && n_samples >= enough && !is_alone_across<dim>(cell) ? 3 : degree;
+      return degree == 2 && n_samples >= enough && !is_one_cell_thick<dim>(cell) ? 3 : degree;
     }
 
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -131,9 +114,13 @@ namespace Signorini
   bool
   is_one_cell_thick(const typename DoFHandler<dim>::active_cell_iterator &cell)
   {
+    const auto is_end = [&](const unsigned int face) {
+      return cell->face(face)->at_boundary() ||
+             cell->neighbor(face)->material_id() != cell->material_id();
+    };
     if (!cell->reference_cell().is_simplex())
       for (unsigned int d = 0; d < dim; ++d)
-        if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
+        if (is_end(2 * d) && is_end(2 * d + 1))
           return true;
     return false;
   }
@@ -167,8 +154,8 @@ namespace Signorini
                .get_points())
           samples.push_back({other, unit, mapping.transform_unit_to_real_cell(other, unit), 0.});
       }
-    // Not cubic: most probes are at boundaries, and beyond the last samples cubic polynomials magnify
-    // their errors.
+    // Not cubic: most probes are at boundaries, and beyond the last samples cubic polynomials
+    // magnify their errors.
     const Monomials<dim> monomials(elasticity.degree(elasticity.mesh().body(cell)));
     const auto           at = [&](const Point<dim> &place) {
       const auto phi = monomials((place - cell->center()) / cell->diameter());

@@ -10,7 +10,8 @@
 
 namespace Signorini
 {
-  /// @return whether a cell of a quadrilateral or hexahedral mesh is a body's only one across.
+  /// @return whether a cell of a quadrilateral or hexahedral mesh is the only one across a body, or
+  /// across a layer of a material.
   template <int dim>
   bool
   is_one_cell_thick(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);

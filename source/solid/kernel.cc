@@ -149,7 +149,8 @@ namespace Signorini
                               const hp::FECollection<dim>  &elements,
                               const Model                   model,
                               const std::vector<Load<dim>> &loads,
-                              const double                  t)
+                              const double                  t,
+                              const unsigned int            more_points)
     : model(model)
     , t(t)
     , nodal_forces(mesh, loads)
@@ -157,11 +158,11 @@ namespace Signorini
     , scalars(scalar_elements(elements))
     , all_values(mesh.surface_mappings(),
                  scalars,
-                 gauss_rules(elements, 2),
+                 gauss_rules(elements, 2 + more_points),
                  update_values | update_quadrature_points | update_JxW_values)
     , all_face_values(mesh.surface_mappings(),
                       scalars,
-                      gauss_rules_of_faces(elements, 2),
+                      gauss_rules_of_faces(elements, 2 + more_points),
                       update_values | update_quadrature_points | update_normal_vectors |
                         update_JxW_values)
   {

@@ -58,11 +58,13 @@ namespace Signorini
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
     /// Evaluate surface loads and find the cells of nodal forces. Collective.
+    /// @param more_points of quadrature in each direction than is usual
     LoadKernel(const Mesh<dim>                     &mesh,
                const dealii::hp::FECollection<dim> &elements,
                Model                                model,
                const std::vector<Load<dim>>        &loads,
-               double                               t);
+               double                               t,
+               unsigned int                         more_points = 0);
 
     /// Compute the load vector of a cell.
     /// @param cell_load resized to the degrees of freedom of the cell [force]

@@ -260,6 +260,20 @@ namespace Signorini
 
 
 
+  template <int dim>
+  double
+  ThermalStrain<dim>::projection_error(const FEValues<dim> &values, const unsigned int q) const
+  {
+    const auto                   cell = values.get_cell();
+    const ThermalExpansion<dim> &one  = expansions[cell->material_id()];
+    if (!one.given() || !one.depends_on_place())
+      return 0;
+    return temperature(values, q, times[cell->material_id()]) - one.reference -
+           temperature_change(*cell, values.quadrature_point(q));
+  }
+
+
+
   // Normal components along x, y, z (axisymmetric: radial, axial, hoop); thermal expansion causes
   // no shear.
   template <int dim>

@@ -54,6 +54,18 @@ namespace Signorini
     double
     temperature_change(const Cell &cell, const dealii::Point<dim> &x) const;
 
+    /// The temperature at a quadrature point minus the projection there, at the time of set_time().
+    /// @param values on a locally owned or ghost cell
+    double
+    projection_error(const dealii::FEValues<dim> &values, unsigned int q) const;
+
+    /// Thermal expansion coefficients along the axes of a material that expands.
+    dealii::Tensor<1, 3>
+    alpha(const unsigned int id) const
+    {
+      return expansions[id].alpha();
+    }
+
     /// alpha_i (T - T_0) at a point of a locally owned or ghost cell.
     dealii::Tensor<1, 3>
     strain(const Cell &cell, const dealii::Point<dim> &x) const;

@@ -7,6 +7,11 @@
 
 namespace Signorini
 {
+  /// @return the recovered Cauchy stress at a probe, (8.5). Collective.
+  template <int dim>
+  dealii::SymmetricTensor<2, 3>
+  recovered_stress(const Snapshot<dim> &s, const Probe<dim> &probe);
+
   // Evaluation of all kinds of quantities that quantity.cc lists. Each function returns value and
   // derivative of the quantity with a name at a solution; all are collective.
 

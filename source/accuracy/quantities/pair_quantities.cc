@@ -293,6 +293,23 @@ namespace Signorini
     const SurfaceValue<dim> at = evaluate_on_slave(s, pair, {probe.point}, probe.title()).front();
     Functional              result = weighted_pressure_near(s, pair, Tensor<1, dim>(at.place));
     result.value                   = at.pressure;
+    // The dual solution is that of a mean, and says nothing of how the pressure varies about it.
+    // The recovered stress of the slave tells another pressure at the point.
+    Tensor<1, dim> normal;
+    for (unsigned int d = 0; d < dim; ++d)
+      normal[d] = result.of_traction[0] * s.contact.geometry.normal[d];
+    Probe<dim> in_slave;
+    in_slave.body  = s.pairs[pair].slave.substr(0, s.pairs[pair].slave.find('.'));
+    in_slave.point = at.place;
+    const SymmetricTensor<2, 3> stress = recovered_stress(s, in_slave);
+    double                      other  = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int e = 0; e < dim; ++e)
+        other -= normal[d] * stress[d][e] * normal[e] / std::max(normal.norm_square(), 1e-30);
+    // Recovered stresses of open surfaces may be tensile; only those of ties are.
+    if (result.value >= 0)
+      other = std::max(0., other);
+    result.unresolved = 2 * std::abs(other - result.value);
     return result;
   }
 

@@ -141,6 +141,24 @@ namespace Signorini
 
 
   template <int dim>
+  SymmetricTensor<2, 3>
+  recovered_stress(const Snapshot<dim> &s, const Probe<dim> &probe)
+  {
+    SymmetricTensor<2, 3> result;
+    PointState<dim>       state(s.elasticity, s.displacement);
+    if (const auto cell = own_cell(s.elasticity, probe))
+      for (const RecoverySample<dim> &sample :
+           recovery_samples<dim>(s.elasticity, *cell, probe.point))
+        {
+          state.evaluate(sample.cell, sample.unit, sample.place);
+          result += sample.weight * state.stress();
+        }
+    return Utilities::MPI::sum(result, s.elasticity.mesh().communicator());
+  }
+
+
+
+  template <int dim>
   Functional
   probe_displacement(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
@@ -280,6 +298,10 @@ namespace Signorini
 
 
 
+  template SymmetricTensor<2, 3>
+  recovered_stress(const Snapshot<2> &, const Probe<2> &);
+  template SymmetricTensor<2, 3>
+  recovered_stress(const Snapshot<3> &, const Probe<3> &);
 #define INSTANTIATE(quantity)                                                                      \
   template Functional quantity(const QuantityName &, const Snapshot<2> &, const Probes<2> &);      \
   template Functional quantity(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
