@@ -82,7 +82,8 @@ namespace Signorini
     /// @return the degree of the polynomials that are fitted in a cell. A patch is three cells
     /// wide, so that quadratic ones would often differ more from the exact field than its samples
     /// do: where displacements have degree two they are cubic, but not in patches of two cells in
-    /// each direction, which are too few to tell what they miss.
+    /// each direction, which are too few to tell what they miss, nor on simplices, whose patches
+    /// are smaller.
     /// @param n_samples of the patch
     template <int dim>
     unsigned int
@@ -92,7 +93,10 @@ namespace Signorini
     {
       constexpr unsigned int enough = dim == 2 ? 24 : 96;
       const unsigned int     degree = elasticity.degree(elasticity.mesh().body(cell));
-      return degree == 2 && n_samples >= enough && !is_one_cell_thick<dim>(cell) ? 3 : degree;
+      return degree == 2 && n_samples >= enough && !cell->reference_cell().is_simplex() &&
+                 !is_one_cell_thick<dim>(cell) ?
+               3 :
+               degree;
     }
 
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
