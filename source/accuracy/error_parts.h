@@ -35,9 +35,10 @@ namespace Signorini
     /// For each quantity the sum over all cells and ranks of the products of the energy norms of
     /// the errors of solution and dual solution.
     std::vector<double> cauchy_schwarz_bounds;
-    /// [quantity][cell]: in bodies that are one cell thick, a share of the product of the energy
-    /// norms of what varies within the cell. Such a cell bends too stiffly by a part of it, which
-    /// no recovered stress tells, as all its samples across the body are in that cell.
+    /// [quantity][cell]: in bodies and layers of a material that are one cell thick, a share of the
+    /// product of the energy norms; with degree 2 of what varies within the cell. Such a cell is
+    /// too stiff by a part of it, which no recovered stress tells, as all its samples across the
+    /// layer are in that cell.
     std::vector<std::vector<double>> layers;
     /// int sigma:eps dV of the solution, or twice its energy, summed over all ranks.
     double energy_of_solution = 0;
@@ -93,8 +94,9 @@ namespace Signorini
   /// @return the size of the error by contact points that cannot move, such as a corner of the
   /// slave at a support: the support takes their pressure, and its share of the reaction is not
   /// determined. The mean pressure of the pair is assumed there: the sum over these points of area
-  /// |B z + dJ/dp| times that pressure. Zero for methods that sample at quadrature points.
-  /// Collective.
+  /// |B z + dJ/dp| times that pressure. With friction likewise for points that are held along the
+  /// surface, with the bound of the tangential traction in place of the pressure. Zero for methods
+  /// that sample at quadrature points. Collective.
   /// @param snapshot the solution
   /// @param functional the quantity
   /// @param dual_displacement z of the quantity, without its lift

@@ -128,6 +128,24 @@ namespace Signorini
       return Utilities::MPI::sum(result, elasticity.mesh().communicator());
     }
 
+    /// @return the recovered Cauchy stress, (8.5).
+    /// @param cell locally owned, with the point in it
+    template <int dim>
+    SymmetricTensor<2, 3>
+    recovered_stress_in_cell(const Snapshot<dim>                                  &s,
+                             const typename DoFHandler<dim>::active_cell_iterator &cell,
+                             const Point<dim>                                     &x)
+    {
+      SymmetricTensor<2, 3> result;
+      PointState<dim>       state(s.elasticity, s.displacement);
+      for (const RecoverySample<dim> &sample : recovery_samples<dim>(s.elasticity, cell, x))
+        {
+          state.evaluate(sample.cell, sample.unit, sample.place);
+          result += sample.weight * state.stress();
+        }
+      return result;
+    }
+
     /// @return the derivative of the von Mises stress by the stress, 3/2 dev(sigma)/sigma_v; zero
     /// stress has none.
     SymmetricTensor<2, 3>
@@ -145,14 +163,8 @@ namespace Signorini
   recovered_stress(const Snapshot<dim> &s, const Probe<dim> &probe)
   {
     SymmetricTensor<2, 3> result;
-    PointState<dim>       state(s.elasticity, s.displacement);
     if (const auto cell = own_cell(s.elasticity, probe))
-      for (const RecoverySample<dim> &sample :
-           recovery_samples<dim>(s.elasticity, *cell, probe.point))
-        {
-          state.evaluate(sample.cell, sample.unit, sample.place);
-          result += sample.weight * state.stress();
-        }
+      result = recovered_stress_in_cell(s, *cell, probe.point);
     return Utilities::MPI::sum(result, s.elasticity.mesh().communicator());
   }
 
@@ -269,18 +281,12 @@ namespace Signorini
               for (const unsigned int v : (*cell)->vertex_indices())
                 places.push_back((*cell)->vertex(v));
             }
-          PointState<dim>       state(elasticity, s.displacement);
           double                largest = -std::numeric_limits<double>::max();
           Point<dim>            place;
           SymmetricTensor<2, 3> there;
           for (const Point<dim> &x : places)
             {
-              SymmetricTensor<2, 3> stress;
-              for (const RecoverySample<dim> &sample : recovery_samples<dim>(elasticity, *cell, x))
-                {
-                  state.evaluate(sample.cell, sample.unit, sample.place);
-                  stress += sample.weight * state.stress();
-                }
+              const SymmetricTensor<2, 3> stress = recovered_stress_in_cell(s, *cell, x);
               if (von_mises(stress) > largest)
                 {
                   largest = von_mises(stress);
