@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy/error_parts.h"
+#include "accuracy/traction_errors.h"
 #include "contact/constraints/gap_increments.h"
 #include "fields/friction_fields.h"
 #include "fields/nodal_fields.h"
@@ -97,30 +98,6 @@ namespace Signorini
 
   namespace
   {
-    /// @return the derivative by one component of the traction per area, at the rows; zero for
-    /// quantities with a lift, which contains it.
-    template <int dim>
-    LA::Vector
-    by_component(const Snapshot<dim> &s, const Functional &functional, const unsigned int component)
-    {
-      LA::Vector density = functional.of_traction[component];
-      if (functional.lift.size() > 0)
-        density = 0;
-      for (const auto i : density.locally_owned_elements())
-        density(i) = s.contact.weight(i) > 0 ? density(i) / s.contact.weight(i) : 0.;
-      density.compress(VectorOperation::insert);
-      return density;
-    }
-
-    /// @return dJ/dp per area as a nodal field of a pair, with ghost values; zero for quantities
-    /// with a lift, since their derivative by pressure belongs to the lift.
-    template <int dim>
-    LA::Vector
-    by_pressure(const Snapshot<dim> &s, const Functional &functional, const unsigned int pair)
-    {
-      return s.elasticity.with_ghosts(nodal_field(s, by_component(s, functional, 0), pair));
-    }
-
     /// @return a field that is positive at nodes without pressure function and at the nodes that
     /// take their functions over, zero elsewhere; with ghost values.
     template <int dim>
@@ -138,97 +115,6 @@ namespace Signorini
               }
       result.compress(VectorOperation::add);
       return s.elasticity.with_ghosts(result);
-    }
-
-    /// @return the derivative by the tangential traction per area, component by component in space,
-    /// as by_pressure(); empty for laws without tangential components.
-    template <int dim>
-    std::vector<LA::Vector>
-    by_tangential_traction(const Snapshot<dim> &s,
-                           const Functional    &functional,
-                           const unsigned int   pair)
-    {
-      std::vector<LA::Vector> result;
-      if (s.contact.n_components() == 1)
-        return result;
-      PointVectors density;
-      for (unsigned int a = 1; a < functional.of_traction.size(); ++a)
-        density.push_back(by_component(s, functional, a));
-      for (const LA::Vector &component : in_space(s, density))
-        result.push_back(s.elasticity.with_ghosts(nodal_field(s, component, pair)));
-      return result;
-    }
-
-    /// Errors of the traction at some contact points of a pair, exact minus computed.
-    template <int dim>
-    struct TractionErrors
-    {
-      std::vector<unsigned int>   points; ///< their numbers on the surface
-      std::vector<double>         pressure;
-      std::vector<Tensor<1, dim>> tangential; ///< in space; empty for laws without it
-    };
-
-    /// Add the sum of omega . q dA over points to the cells of their faces, where omega is felt by
-    /// tractions, by the pressure B z + dJ/dp, and q is the error of the traction.
-    template <int dim>
-    void
-    add_traction_errors(const Snapshot<dim>       &s,
-                        const Functional          &functional,
-                        const LA::Vector          &z,
-                        const unsigned int         pair,
-                        const TractionErrors<dim> &errors,
-                        std::vector<double>       &of_cells)
-    {
-      const ContactSurface<dim>             &surface = s.surfaces[pair];
-      std::vector<const ContactPoint<dim> *> points;
-      std::vector<const SurfaceFrame<dim> *> frames;
-      for (const unsigned int q : errors.points)
-        points.push_back(&surface.points[q]);
-      const std::vector<double>     opened     = gap_increments(points, z);
-      const LA::Vector              density    = by_pressure(s, functional, pair);
-      const std::vector<LA::Vector> tangential = by_tangential_traction(s, functional, pair);
-      std::vector<Tensor<1, dim>>   displaced;
-      if (!tangential.empty())
-        {
-          for (const unsigned int q : errors.points)
-            frames.push_back(&surface.frames[q]);
-          displaced = relative_displacements(points, frames, z);
-        }
-      for (unsigned int q = 0; q < points.size(); ++q)
-        {
-          double change = errors.pressure[q] * (opened[q] + value_at(surface, *points[q], density));
-          for (unsigned int d = 0; d < tangential.size(); ++d)
-            change += errors.tangential[q][d] *
-                      (displaced[q][d] + value_at(surface, *points[q], tangential[d]));
-          const auto cell = s.elasticity.mesh().triangulation().create_cell_iterator(
-            surface.slave_faces[points[q]->face].cell);
-          of_cells[cell->active_cell_index()] += points[q]->weight * points[q]->stretch * change;
-        }
-    }
-
-    /// @return the recovered tangential traction of a pair, component by component, with ghost
-    /// values; empty for laws without it.
-    template <int dim>
-    std::vector<LA::Vector>
-    recovered_traction(const Snapshot<dim> &s, const unsigned int pair)
-    {
-      std::vector<LA::Vector> result;
-      for (const LA::Vector &component : tangential_traction(s, pair))
-        result.push_back(s.elasticity.with_ghosts(component));
-      return result;
-    }
-
-    /// @return a vector field at a contact point; zero if it has no components.
-    template <int dim>
-    Tensor<1, dim>
-    vector_at(const ContactSurface<dim>     &surface,
-              const ContactPoint<dim>       &point,
-              const std::vector<LA::Vector> &components)
-    {
-      Tensor<1, dim> result;
-      for (unsigned int d = 0; d < components.size(); ++d)
-        result[d] = value_at(surface, point, components[d]);
-      return result;
     }
 
     /// Add (8.8) of one pair, over the points of all faces near nodes without multiplier: there the
