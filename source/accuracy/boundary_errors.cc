@@ -104,9 +104,14 @@ namespace Signorini
       const FEFaceValues<dim> &
       reinit(const Cell &cell, const unsigned int face)
       {
+        return reinit(cell, face, values);
+      }
+      static const FEFaceValues<dim> &
+      reinit(const Cell &cell, const unsigned int face, hp::FEFaceValues<dim> &of)
+      {
         const auto i = cell->active_fe_index();
-        values.reinit(cell, face, i, 0, i); // one mapping for all
-        return values.get_present_fe_values();
+        of.reinit(cell, face, i, 0, i); // one mapping for all
+        return of.get_present_fe_values();
       }
       /// @return the prescribed minus the computed displacement at each point, in the components
       /// that supports prescribe; zero in the others.
@@ -119,9 +124,11 @@ namespace Signorini
       /// The displacement with ghost values.
       const LA::Vector displacement;
       /// The dual fields with ghost values.
-      std::vector<DualField>                                          duals;
-      const hp::QCollection<dim - 1>                                  all_rules;
-      hp::FEFaceValues<dim>                                           values, true_values;
+      std::vector<DualField>         duals;
+      const hp::QCollection<dim - 1> all_rules;
+      hp::FEFaceValues<dim>          values, true_values;
+      /// At more points, that show what supports prescribe between the usual ones.
+      hp::FEFaceValues<dim>                                           values_at_supports;
       hp::FESubfaceValues<dim>                                        neighbour_values;
       std::map<types::boundary_id, std::vector<const Support<dim> *>> supports;
     };
@@ -144,6 +151,10 @@ namespace Signorini
                     elasticity.finite_elements(),
                     all_rules,
                     update_quadrature_points)
+      , values_at_supports(elasticity.mesh().mappings(),
+                           elasticity.finite_elements(),
+                           gauss_rules_of_faces(elasticity.finite_elements(), 4),
+                           values.get_update_flags())
       , neighbour_values(elasticity.mesh().mappings(),
                          elasticity.finite_elements(),
                          all_rules,
@@ -350,7 +361,7 @@ namespace Signorini
       const auto of_face = supports.find(cell->face(face)->boundary_id());
       if (of_face == supports.end())
         return;
-      const FEFaceValues<dim>          &at = reinit(cell, face);
+      const FEFaceValues<dim>          &at = reinit(cell, face, values_at_supports);
       std::vector<StressState>          states;
       const AtFace<dim>                 u       = solution_at(cell, at, states);
       const std::vector<Tensor<1, dim>> lacking = boundary_residual(of_face->second, u, at);

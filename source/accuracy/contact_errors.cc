@@ -273,7 +273,7 @@ namespace Signorini
     std::vector<double> result(s.elasticity.mesh().triangulation().n_active_cells(), 0.);
     if (!s.contact.empty() && samples_nodes(s.contact))
       for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
-        if (s.surfaces[pair].has_dirichlet_nodes)
+        if (s.surfaces[pair].has_dirichlet_nodes && s.pairs[pair].compliance.is_rigid())
           add_dirichlet_contact(s, functional, z, pair, result);
     return result;
   }

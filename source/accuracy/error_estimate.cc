@@ -93,6 +93,7 @@ namespace Signorini
         std::vector<double> &of_cells     = result.cells.products[i];
         const auto           of_dirichlet = dirichlet_contact_errors(snapshot, functionals[i], z);
         const auto           of_points    = pointwise_contact_errors(snapshot, functionals[i], z);
+        const auto           of_layers    = compliance_errors(snapshot, functionals[i], z);
         const auto           of_edges     = unresolved_contact(snapshot, functionals[i], z);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
@@ -100,7 +101,7 @@ namespace Signorini
             // edge of contact and of thin layers; the refinement indicators do, the latter two with
             // the sign of the rest, so that they never cancel.
             of_cells[cell] += boundaries.of_supports[i][cell] + of_loads[i][cell] +
-                              of_dirichlet[cell] + of_points[cell];
+                              of_dirichlet[cell] + of_points[cell] + of_layers[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);
             const double of_geometry =

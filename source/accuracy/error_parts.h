@@ -130,9 +130,22 @@ namespace Signorini
                      const Functional    &functional,
                      const LA::Vector    &dual_displacement);
 
+  /// @return the error, exact minus computed, on each active cell because compliant interfaces have
+  /// their law at nodes, not at each point of the surface, (8.25). Zero for rigid interfaces, and
+  /// for methods that sample at quadrature points. Collective.
+  /// @param snapshot the solution
+  /// @param functional the quantity
+  /// @param dual_displacement z of the quantity, without its lift
+  template <int dim>
+  std::vector<double>
+  compliance_errors(const Snapshot<dim> &snapshot,
+                    const Functional    &functional,
+                    const LA::Vector    &dual_displacement);
+
   /// @return the error, exact minus computed, on each active cell because nodes at supports have no
   /// multiplier, (8.8), where the dual solution is not orthogonal to the recovered pressure p*.
-  /// Zero for methods that sample at quadrature points. Collective.
+  /// Zero for methods that sample at quadrature points, and for compliant interfaces, whose errors
+  /// contain it. Collective.
   /// @param snapshot the solution
   /// @param functional the quantity
   /// @param dual_displacement z of the quantity, without its lift

@@ -133,6 +133,24 @@ namespace Signorini
 
 
   double
+  ContactCompliance::pressure(const double overclosure) const
+  {
+    if (kind == PressureOverclosure::linear)
+      return normal_stiffness * overclosure;
+    if (kind == PressureOverclosure::exponential)
+      return overclosure <= -clearance ?
+               0. :
+               pressure_at_zero_gap * std::pow(least_share, -overclosure / clearance);
+    if (overclosure <= table[0][1])
+      return 0;
+    const auto end = segment_end(table, overclosure, [](const Point<2> &line) { return line[1]; });
+    const Point<2> &from = *(end - 1);
+    return from[0] + ((*end)[0] - from[0]) * (overclosure - from[1]) / ((*end)[1] - from[1]);
+  }
+
+
+
+  double
   ContactCompliance::reach() const
   {
     return std::max(0., -overclosure(0).value);

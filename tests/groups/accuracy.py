@@ -295,6 +295,12 @@ UNSEEN = {
                                         ["Bodies/block/Thermal expansion=1e-3", "Load steps/Times=1, 2, 3", "Contact pairs/foot/Friction=0.4",
                                          "Bodies/block/Temperature=table(t, 0,0, 1,0, 2,10, 3,-5)*(1 + 0.3*x/4)",
                                          "Loads/shear/Traction=0.3*table(t, 1,0, 2,0.5, 3,-1); 0"]),
+    "support within a cell": ("force of foot", 44.92992, 1e-4, 6e-2,
+                              ["Supports/Names=side, top", "Supports/top/Boundaries=block.top", "Loads/press/Pressure=0",
+                               "Supports/top/Displacement=free; -0.01*(1 + exp(-((x - 1.23)/0.05)^2))"]),
+    # The law of the layer is that of nodes.
+    "compliant interface": ("displacement y of corner", -0.03084076, 1e-8, 2e-2,
+                            ["Contact pairs/foot/Pressure-overclosure=linear", "Contact pairs/foot/Normal stiffness=50"]),
     "pressure at a point": ("pressure of under", 0.8971686, 4e-6, 3e-2, ["Loads/press/Pressure=1 + 0.5*cos(pi*x)"]),
     # A linear temperature that is free to bend the block, by degree 2.
     "temperature within a cell": ("displacement y of corner", 0.0506385996, 1e-9, 1e-2,

@@ -76,6 +76,11 @@ namespace Signorini
     Value
     overclosure(double pressure) const;
 
+    /// The pressure p(d), the inverse of overclosure(); negative for overclosures below that of
+    /// p = 0 with a linear relation, zero with the others. Not for PressureOverclosure::hard.
+    double
+    pressure(double overclosure) const;
+
     /// The largest gap of points in contact [length], at least zero.
     double
     reach() const;
