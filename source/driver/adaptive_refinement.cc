@@ -280,7 +280,8 @@ namespace Signorini
     const ErrorEstimate estimate = judge(control, cycle);
     recorder.add_accuracy(accuracy_results(scene.goals, control, estimate),
                           control,
-                          missed_targets(control));
+                          missed_targets(control),
+                          lacks_former_steps());
   }
 
 

@@ -116,6 +116,10 @@ namespace Signorini
     /// their path.
     std::vector<double>
     least_on_path() const;
+    /// @return whether the state keeps what the mesh made wrong in former load steps, and the bars
+    /// do not contain it.
+    bool
+    lacks_former_steps() const;
     /// Add the errors of quantities that accumulate, at the end of the load step before.
     void
     add_former_errors(ErrorEstimate &estimate) const;

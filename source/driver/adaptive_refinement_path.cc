@@ -155,6 +155,23 @@ namespace Signorini
 
 
 
+  // Only where values of several meshes are compared, whose histories were all solved from the
+  // start, are errors of former load steps seen.
+  template <int dim>
+  bool
+  AdaptiveRefinement<dim>::lacks_former_steps() const
+  {
+    const auto &pairs = problem.decisions.pairs;
+    return scene.load_steps.ends().size() > 1 && !control.quantities().empty() &&
+           control.quantities()[0].size() == 1 &&
+           (problem.elasticity->locks_rigid_bodies() || scene.contact.chosen().has_late_ties ||
+            std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+              return pair.friction.depends_on_time();
+            }));
+  }
+
+
+
   // Load steps between those for which the path was measured have the errors of the next one.
   template <int dim>
   std::vector<double>
@@ -180,6 +197,7 @@ namespace Signorini
   template void                AdaptiveRefinement<dim>::add_path_errors(unsigned int, double);     \
   template std::vector<double> AdaptiveRefinement<dim>::least_on_path() const;                     \
   template void                AdaptiveRefinement<dim>::add_former_errors(ErrorEstimate &) const;  \
+  template bool                AdaptiveRefinement<dim>::lacks_former_steps() const;                \
   template std::vector<double> AdaptiveRefinement<dim>::errors_of_path(double) const;
   INSTANTIATE(2)
   INSTANTIATE(3)

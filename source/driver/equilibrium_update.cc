@@ -79,11 +79,12 @@ namespace Signorini
             if (!my_uses_current_geometry && !is_solution)
               return false;
             my_neglected = change;
-            out << "  contact geometry: updating it changes the pressure by about "
-                << short_text(100 * change, 2) << " %"
-                << (my_uses_current_geometry ? ": the contact geometry is updated from here on" :
-                                               "")
-                << std::endl;
+            if (constexpr double none = 1e-8; my_uses_current_geometry || change > none)
+              out << "  contact geometry: updating it changes the pressure by about "
+                  << short_text(100 * change, 2) << " %"
+                  << (my_uses_current_geometry ? ": the contact geometry is updated from here on" :
+                                                 "")
+                  << std::endl;
           }
       }
     else

@@ -343,6 +343,9 @@ namespace Signorini
            "equilibrium exists, and no load step is small enough; set Load steps/End time = " +
              short_text(problem.state.time, digits) + " to obtain the solution up to there" :
            "");
+    if (!end.converged && !is_interrupted && position.cycle > 0)
+      end.reason += "; the mesh before had a solution: set Accuracy/Refinement cycles = " +
+                    std::to_string(position.cycle - 1) + " for its results and error bounds";
     recorder->add_sizes(*problem.elasticity,
                         problem.contact->surfaces(),
                         problem.contact->gap_operator(),

@@ -121,8 +121,12 @@ namespace Signorini
     /// @param accuracy entry of accuracy_results()
     /// @param control the histories of errors
     /// @param why reason why targets were not reached; empty: they were, or there are none
+    /// @param lacks_former_steps whether the bounds lack errors that former load steps have left
     void
-    add_accuracy(const Json &accuracy, const ErrorControl &control, const std::string &why);
+    add_accuracy(const Json         &accuracy,
+                 const ErrorControl &control,
+                 const std::string  &why,
+                 bool                lacks_former_steps);
     /// Record how the targets were met at a load step.
     /// @param control the histories of errors
     /// @param why reason why targets were not reached; empty: they were

@@ -85,10 +85,12 @@ namespace Signorini
   void
   Recorder<dim>::add_accuracy(const Json         &accuracy,
                               const ErrorControl &control,
-                              const std::string  &why)
+                              const std::string  &why,
+                              const bool          lacks_former_steps)
   {
     const double end    = scene.load_steps.ends().back();
     results["accuracy"] = accuracy;
+    verdict.add(check_former_steps(lacks_former_steps), end);
     if (scene.goals.has_targets())
       {
         results["accuracy"]["met"]    = why.empty();
@@ -285,7 +287,8 @@ namespace Signorini
   template void Recorder<dim>::add_cycle(unsigned int, unsigned int, const Json &);                \
   template void Recorder<dim>::add_accuracy(const Json &,                                          \
                                             const ErrorControl &,                                  \
-                                            const std::string &);                                  \
+                                            const std::string &,                                   \
+                                            bool);                                                 \
   template void Recorder<dim>::add_targets(const ErrorControl &, const std::string &, double);     \
   template Json Recorder<dim>::newton_results(const NewtonReport &) const;                         \
   template void Recorder<dim>::add_step(const Snapshot<dim> &,                                     \

@@ -48,4 +48,21 @@ namespace Signorini
     check_result.advice = "set Accuracy/Load steps = all";
     return {check_result};
   }
+
+
+
+  std::vector<CheckResult>
+  check_former_steps(const bool does_not)
+  {
+    CheckResult check_result;
+    check_result.check   = "errors of former load steps";
+    check_result.value   = does_not ? 1 : 0;
+    check_result.limit   = 0;
+    check_result.outcome = does_not ? Outcome::warned : Outcome::passed;
+    check_result.message =
+      "the state keeps what former load steps have left (a Lock time, ties that start later, or friction that changes in time), and a single mesh tells nothing of their errors: the error bounds are those of the last load step alone";
+    check_result.advice =
+      "set Accuracy/Target error or Refinement cycles: the history is then solved on several meshes, and what it changes is in the bounds";
+    return {check_result};
+  }
 } // namespace Signorini

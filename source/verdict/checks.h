@@ -72,6 +72,11 @@ namespace Signorini
   std::vector<CheckResult>
   check_judged_steps(unsigned int not_judged, unsigned int all);
 
+  /// Check that error bounds contain the errors of former load steps.
+  /// @param does_not whether the state keeps something of them that the bounds do not contain
+  std::vector<CheckResult>
+  check_former_steps(bool does_not);
+
   // The single checks:
 
   /// @return checks of motions larger than the model, and of displacement gradients whose squares
