@@ -126,6 +126,11 @@ namespace Signorini
                  " has no error bound: the tangent at the solution is not positive definite, so that "
                  "other solutions are near (a buckling or limit point was passed); set Load steps/End "
                  "time to a smaller load";
+        if (histories[i].last().is_singular)
+          return name +
+                 " has no error bound: stresses have no limit there, at the end of a support or at "
+                 "a re-entrant corner; choose the stress at a point farther away, or round the "
+                 "corner";
         if (histories[i].is_zero())
           return name +
                  " is zero, as far as its error bounds tell, and no bound can be small relative to "

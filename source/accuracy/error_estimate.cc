@@ -116,6 +116,7 @@ namespace Signorini
         QuantityEstimate one;
         one.value          = functionals[i].value;
         one.is_regularised = functionals[i].is_regularised;
+        one.is_singular    = functionals[i].is_singular;
         one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(sizes, comm) +
                          undetermined_contact(snapshot, functionals[i], z);
         one.cauchy_schwarz_bound = result.cells.cauchy_schwarz_bounds[i] +

@@ -44,7 +44,7 @@ namespace Signorini
   {
     constexpr double        rounding = 1e-9;
     const QuantityEstimate &now      = last();
-    if (now.is_unstable)
+    if (now.is_unstable || now.is_singular)
       return {now.value, std::numeric_limits<double>::infinity()};
     // Errors of penalty and mesh often have opposite signs and cancel; a soft penalty must not
     // profit from that.

@@ -67,6 +67,8 @@ namespace Signorini
     /// Whether the tangent at the solution is not positive definite: then other solutions are near,
     /// and a linearisation tells nothing of the error.
     bool is_unstable = false;
+    /// Whether the exact value has no limit.
+    bool is_singular = false;
   };
 
   /// A value whose exact counterpart is expected within +- error_bound.

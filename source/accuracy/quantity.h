@@ -68,6 +68,8 @@ namespace Signorini
     double local = 0;
     /// Size of the error of the value by what is not resolved within a face, in its units.
     double unresolved = 0;
+    /// Whether the exact value has no limit, so that there is no bound of its error.
+    bool is_singular = false;
     /// Whether the quantity is the energy, see error_estimate().
     bool is_quadratic = false;
   };

@@ -81,8 +81,10 @@ namespace Signorini
     sample();
     void
     find_neighbours();
-    void
-    collect_patch(const Cell &cell);
+    /// @param with_neighbours whether the patches of the neighbours belong to that of the cell
+    /// @return the number of samples
+    unsigned int
+    collect_patch(const Cell &cell, bool with_neighbours);
 
     const Elasticity<dim> &elasticity;
     const unsigned int     n_values;

@@ -35,7 +35,8 @@ namespace Signorini
         one["value"]                    = now.value;
         one["error_bound"]              = bound_or_null(now.error_bound);
         one["stable"]                   = !last.is_unstable;
-        if (now.value != 0 && !last.is_unstable)
+        one["singular"]                 = last.is_singular;
+        if (now.value != 0 && std::isfinite(now.error_bound))
           one["relative_error_bound"] = now.error_bound / std::abs(now.value);
         if (goals.has_targets())
           {
@@ -87,6 +88,7 @@ namespace Signorini
         read.unresolved           = one.at("unresolved");
         read.is_regularised       = one.at("regularised");
         read.is_unstable          = !one.value("stable", true);
+        read.is_singular          = one.value("singular", false);
         all.push_back(read);
       }
     return all;

@@ -91,6 +91,7 @@ namespace Signorini
     const double end    = scene.load_steps.ends().back();
     results["accuracy"] = accuracy;
     verdict.add(check_former_steps(lacks_former_steps), end);
+    verdict.add(check_limits(scene.goals, control), end);
     if (scene.goals.has_targets())
       {
         results["accuracy"]["met"]    = why.empty();

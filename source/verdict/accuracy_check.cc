@@ -52,6 +52,30 @@ namespace Signorini
 
 
   std::vector<CheckResult>
+  check_limits(const Goals &goals, const ErrorControl &control)
+  {
+    std::vector<CheckResult> check_results;
+    for (unsigned int i = 0; i < goals.quantities.size(); ++i)
+      if (control.quantities()[i].last().is_singular)
+        {
+          CheckResult check_result;
+          check_result.check   = "stress without limit";
+          check_result.where   = goals.quantities[i];
+          check_result.value   = 1;
+          check_result.limit   = 0;
+          check_result.outcome = Outcome::warned;
+          check_result.message =
+            "it is beside the end of a support that holds the body along its surface, or at a re-entrant corner, where the exact stress has no limit: the value depends on the mesh and has no error bound";
+          check_result.advice =
+            "use the stress at a point farther away (Output/Probes), or round the corner";
+          check_results.push_back(check_result);
+        }
+    return check_results;
+  }
+
+
+
+  std::vector<CheckResult>
   check_former_steps(const bool does_not)
   {
     CheckResult check_result;

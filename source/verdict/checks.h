@@ -72,6 +72,10 @@ namespace Signorini
   std::vector<CheckResult>
   check_judged_steps(unsigned int not_judged, unsigned int all);
 
+  /// @return a warning for each stress whose exact value has no limit.
+  std::vector<CheckResult>
+  check_limits(const Goals &goals, const ErrorControl &control);
+
   /// Check that error bounds contain the errors of former load steps.
   /// @param does_not whether the state keeps something of them that the bounds do not contain
   std::vector<CheckResult>

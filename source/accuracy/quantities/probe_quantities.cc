@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Quantities at points of bodies.
 #include "accuracy/quantities/kinds.h"
+#include "accuracy/quantities/singular_vertices.h"
 #include "accuracy/recovered_field.h"
 #include "fields/largest_stress.h"
 #include "fields/point_state.h"
@@ -129,15 +130,16 @@ namespace Signorini
     }
 
     /// @return the recovered Cauchy stress, (8.5).
+    /// @param state of the solution, whose constructor is collective
     /// @param cell locally owned, with the point in it
     template <int dim>
     SymmetricTensor<2, 3>
     recovered_stress_in_cell(const Snapshot<dim>                                  &s,
+                             PointState<dim>                                      &state,
                              const typename DoFHandler<dim>::active_cell_iterator &cell,
                              const Point<dim>                                     &x)
     {
       SymmetricTensor<2, 3> result;
-      PointState<dim>       state(s.elasticity, s.displacement);
       for (const RecoverySample<dim> &sample : recovery_samples<dim>(s.elasticity, cell, x))
         {
           state.evaluate(sample.cell, sample.unit, sample.place);
@@ -163,8 +165,9 @@ namespace Signorini
   recovered_stress(const Snapshot<dim> &s, const Probe<dim> &probe)
   {
     SymmetricTensor<2, 3> result;
+    PointState<dim>       state(s.elasticity, s.displacement);
     if (const auto cell = own_cell(s.elasticity, probe))
-      result = recovered_stress_in_cell(s, *cell, probe.point);
+      result = recovered_stress_in_cell(s, state, *cell, probe.point);
     return Utilities::MPI::sum(result, s.elasticity.mesh().communicator());
   }
 
@@ -216,6 +219,11 @@ namespace Signorini
         std::max(std::abs(result.value), stress.norm()),
         probe_functional(s.elasticity, s.displacement, probe, Tensor<1, dim>(), of_stress),
         result);
+      if (const auto cell = own_cell(s.elasticity, probe))
+        for (const Point<dim> &vertex : singular_vertices<dim>(s.elasticity, *cell))
+          result.is_singular |= vertex.distance(probe.point) < 1e-9 * (*cell)->diameter();
+      result.is_singular =
+        Utilities::MPI::max(int(result.is_singular), s.elasticity.mesh().communicator()) == 1;
       return result;
     }
   } // namespace
@@ -270,14 +278,16 @@ namespace Signorini
       if (elasticity.mesh().body_name(body) == name.of)
         {
           Probe<dim> at;
-          at.body                      = name.of;
-          at.point                     = stresses[body].von_mises.position;
-          result.value                 = stresses[body].von_mises.value;
+          at.body      = name.of;
+          at.point     = stresses[body].von_mises.position;
+          result.value = stresses[body].von_mises.value;
+          PointState<dim>         state(elasticity, s.displacement);
           const auto              cell = own_cell(elasticity, at);
           std::vector<Point<dim>> places;
           if (cell)
             {
-              places = {at.point};
+              result.is_singular = !singular_vertices<dim>(elasticity, *cell).empty();
+              places             = {at.point};
               for (const unsigned int v : (*cell)->vertex_indices())
                 places.push_back((*cell)->vertex(v));
             }
@@ -286,7 +296,7 @@ namespace Signorini
           SymmetricTensor<2, 3> there;
           for (const Point<dim> &x : places)
             {
-              const SymmetricTensor<2, 3> stress = recovered_stress_in_cell(s, *cell, x);
+              const SymmetricTensor<2, 3> stress = recovered_stress_in_cell(s, state, *cell, x);
               if (von_mises(stress) > largest)
                 {
                   largest = von_mises(stress);
@@ -295,7 +305,8 @@ namespace Signorini
                 }
             }
           // Ranks without the cell have zero.
-          there = Utilities::MPI::sum(there, comm);
+          there              = Utilities::MPI::sum(there, comm);
+          result.is_singular = Utilities::MPI::max(int(result.is_singular), comm) == 1;
           result.local =
             von_mises(set_recovered(s, cell, place, by_stress(there), result)) - result.value;
         }
