@@ -79,21 +79,24 @@ namespace Signorini
       return is_one_cell_thick<dim>(cell) ? std::max(2u, degree) : degree;
     }
 
-    /// The number of samples that cubic polynomials need.
+    /// @return the degree of the polynomials that are fitted in a cell. A patch is three cells
+    /// wide, so that quadratic ones would often differ more from the exact field than its samples
+    /// do: where displacements have degree two they are cubic, but not in patches of two cells in
+    /// each direction, which are too few to tell what they miss, nor on simplices, whose patches
+    /// are smaller.
+    /// @param n_samples of the patch
     template <int dim>
-    constexpr unsigned int enough_for_cubics = dim == 2 ? 24 : 96;
-
-    /// @return whether cubic polynomials are fitted in a cell if its patch has enough samples. A
-    /// patch is three cells wide, so that quadratic ones would often differ more from the exact
-    /// field than its samples do: where displacements have degree two they are cubic, but not on
-    /// simplices, whose patches are smaller.
-    template <int dim>
-    bool
-    is_fitted_by_cubics(const Elasticity<dim>                                &elasticity,
-                        const typename DoFHandler<dim>::active_cell_iterator &cell)
+    unsigned int
+    degree_of_fit(const Elasticity<dim>                                &elasticity,
+                  const typename DoFHandler<dim>::active_cell_iterator &cell,
+                  const unsigned int                                    n_samples)
     {
-      return elasticity.degree(elasticity.mesh().body(cell)) == 2 &&
-             !cell->reference_cell().is_simplex() && !is_one_cell_thick<dim>(cell);
+      constexpr unsigned int enough = dim == 2 ? 24 : 96;
+      const unsigned int     degree = elasticity.degree(elasticity.mesh().body(cell));
+      return degree == 2 && n_samples >= enough && !cell->reference_cell().is_simplex() &&
+                 !is_one_cell_thick<dim>(cell) ?
+               3 :
+               degree;
     }
 
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -258,21 +261,14 @@ namespace Signorini
 
   // The cell and all cells that share a vertex with it, without those of other materials.
   template <int dim>
-  unsigned int
-  RecoveredField<dim>::collect_patch(const Cell &cell, const bool with_neighbours)
+  void
+  RecoveredField<dim>::collect_patch(const Cell &cell)
   {
     patch.clear();
-    const auto add_cells_at = [&](const auto &one) {
-      for (const unsigned int v : one->vertex_indices())
-        patch.insert(patch.end(),
-                     cells_at_vertex.begin() + first_at_vertex[one->vertex_index(v)],
-                     cells_at_vertex.begin() + first_at_vertex[one->vertex_index(v) + 1]);
-    };
-    add_cells_at(cell);
-    if (with_neighbours)
-      for (const unsigned int face : cell->face_indices())
-        if (!cell->face(face)->at_boundary())
-          add_cells_at(cell->neighbor(face));
+    for (const unsigned int v : cell->vertex_indices())
+      patch.insert(patch.end(),
+                   cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v)],
+                   cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v) + 1]);
     // Stresses are discontinuous between materials.
     patch.erase(std::remove_if(patch.begin(),
                                patch.end(),
@@ -282,12 +278,6 @@ namespace Signorini
                 patch.end());
     std::sort(patch.begin(), patch.end());
     patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
-    return std::accumulate(patch.begin(),
-                           patch.end(),
-                           0u,
-                           [&](const unsigned int sum, const unsigned int c) {
-                             return sum + first_sample[c + 1] - first_sample[c];
-                           });
   }
 
 
@@ -298,17 +288,12 @@ namespace Signorini
   const typename RecoveredField<dim>::Deviations &
   RecoveredField<dim>::operator()(const Cell &cell)
   {
-    unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
-    // Patches at corners are too small for cubic polynomials, but not with those of the neighbours.
-    if (is_fitted_by_cubics(elasticity, cell))
-      {
-        if (collect_patch(cell, false) >= enough_for_cubics<dim> ||
-            collect_patch(cell, true) >= enough_for_cubics<dim>)
-          degree = 3;
-      }
-    if (degree < 3)
-      collect_patch(cell, false);
-    const Monomials<dim> monomials(degree);
+    collect_patch(cell);
+    const unsigned int n_samples = std::accumulate(
+      patch.begin(), patch.end(), 0u, [&](const unsigned int sum, const unsigned int c) {
+        return sum + first_sample[c + 1] - first_sample[c];
+      });
+    const Monomials<dim> monomials(degree_of_fit<dim>(elasticity, cell, n_samples));
     const unsigned int   n      = monomials.n;
     const Point<dim>     center = cell->center();
     const double         scale  = 1 / cell->diameter();

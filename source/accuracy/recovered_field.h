@@ -81,10 +81,8 @@ namespace Signorini
     sample();
     void
     find_neighbours();
-    /// @param with_neighbours whether the patches of the neighbours belong to that of the cell
-    /// @return the number of samples
-    unsigned int
-    collect_patch(const Cell &cell, bool with_neighbours);
+    void
+    collect_patch(const Cell &cell);
 
     const Elasticity<dim> &elasticity;
     const unsigned int     n_values;
