@@ -351,6 +351,8 @@ namespace Signorini
 
 
 
+    // Formulas of supports may have more between the nodes than the usual points show, such as a
+    // bump that is narrower than a cell: hence a rule with more points than that of the strips.
     // Conditions of supports are compared with the computed displacement on the boundary of the
     // cells.
     template <int dim>

@@ -48,6 +48,7 @@ namespace Signorini
 
 
 
+  // Nodes without multiplier have the derivative of their neighbours, whose functions they share.
   template <int dim>
   LA::Vector
   by_pressure(const Snapshot<dim> &s, const Functional &functional, const unsigned int pair)
@@ -83,6 +84,11 @@ namespace Signorini
 
 
 
+  // A force that acts on both sides of the interface does the work (z^S - z^M) . q in the dual
+  // displacement, which is what the quantity changes by through the displacements; quantities that
+  // are read from the tractions themselves change by dJ/dq in addition. Both are densities per
+  // present area, so that weights, which are areas of the reference configuration, are multiplied
+  // by the stretch of the surface. Frames exist only for laws with slip, hence the two branches.
   template <int dim>
   void
   add_traction_errors(const Snapshot<dim>       &s,

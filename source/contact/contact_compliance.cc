@@ -132,6 +132,7 @@ namespace Signorini
 
 
 
+  // With the segments of overclosure(), so that both are inverse to each other to rounding.
   double
   ContactCompliance::pressure(const double overclosure) const
   {

@@ -254,7 +254,8 @@ namespace Signorini
     if (!reason_targets_missed.empty())
       return reason_targets_missed;
     return control.is_met(true) ?
-             "the algebraic error cannot be reduced further" :
+             "the algebraic error cannot be reduced further (a quantity that is zero but for rounding "
+             "has no relative error: choose another one, or another component)" :
              "Accuracy/Refinement cycles = " + std::to_string(scene.maximum_cycles());
   }
 

@@ -51,6 +51,7 @@ namespace Signorini
 
 
 
+  // Quantities with a limit need no line: there is one for each bar already.
   std::vector<CheckResult>
   check_limits(const Goals &goals, const ErrorControl &control)
   {
@@ -75,6 +76,9 @@ namespace Signorini
 
 
 
+  // The dual problem of a load step knows the errors of this step alone. What a former one has left
+  // for good is seen only where the whole history was solved on several meshes, whose values
+  // differ.
   std::vector<CheckResult>
   check_former_steps(const bool does_not)
   {

@@ -12,7 +12,8 @@ namespace Signorini
 
   namespace
   {
-    /// The faces of the boundary at one vertex.
+    /// The faces of the boundary at one vertex. Those of contact surfaces and with loads are free:
+    /// tractions do not bound stresses at the end of a support.
     template <int dim>
     struct FacesAtVertex
     {
@@ -72,8 +73,14 @@ namespace Signorini
 
 
 
-  // Supports of the present time, by the boundaries on which they act. The stresses at the end of a
-  // support with a right angle are bounded for a Poisson's ratio of zero.
+  // Where a surface that is held along itself meets a free one, stresses grow like the distance to
+  // a power between -1/2 (a plane surface) and 0, for angles of the body above 60 degrees or so; at
+  // a right angle they are bounded only for a Poisson's ratio of zero (Williams 1952). At the
+  // re-entrant corner of a free surface they grow for any ratio. The exponents are not computed:
+  // that there is no limit is all that a bar has to know.
+  //
+  // Supports are those of the present time. Faces of other cells count as well, since a support may
+  // end beside the cell.
   template <int dim>
   std::vector<Point<dim>>
   singular_vertices(const Elasticity<dim>                                &elasticity,
